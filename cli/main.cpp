@@ -1,0 +1,18 @@
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+#include "cli/support/files.hpp"
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  mapwright::cli::remove_temporary_files_on_interrupt();
+  mapwright::cli::Console console(std::cout, std::cerr, isatty(STDERR_FILENO) == 1);
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const auto status = mapwright::cli::run_program(arguments, console);
+  std::cout.flush();
+  return static_cast<int>(status);
+}

@@ -1,0 +1,146 @@
+#include "cli/support/files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "cli/support/error.hpp"
+
+namespace mapwright::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail_input(const std::string& path, const std::string& why) {
+  throw Error(ExitStatus::kInput, path + ": " + why);
+}
+
+[[noreturn]] void fail_output(const std::string& path, const std::string& why) {
+  throw Error(ExitStatus::kOutput, path + ": " + why);
+}
+
+std::string system_reason() { return std::strerror(errno); }
+
+// Names of the temporary files that exist now, where a signal handler can read them: plain
+// characters, no allocation. More than this many are open at no time.
+constexpr std::size_t kSlots = 16;
+constexpr std::size_t kPathBytes = 4096;
+struct Slot {
+  std::atomic<bool> used{false};
+  std::array<char, kPathBytes> path{};
+};
+std::array<Slot, kSlots> open_temporaries;
+
+void remember(const std::string& path) {
+  if (path.size() >= kPathBytes) return;
+  for (auto& slot : open_temporaries) {
+    if (slot.used.load()) continue;
+    std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
+    slot.used.store(true);
+    return;
+  }
+}
+
+void forget(const std::string& path) {
+  for (auto& slot : open_temporaries) {
+    if (slot.used.load() && path == slot.path.data()) slot.used.store(false);
+  }
+}
+
+extern "C" void on_interrupt(int signal) {
+  for (auto& slot : open_temporaries) {
+    if (slot.used.load()) ::unlink(slot.path.data());
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+// A fresh name beside the target, created empty so that nobody else takes it.
+std::string create_temporary_beside(const std::string& target) {
+  const fs::path path(target);
+  const std::string extension = path.extension().string();
+  std::string pattern = (path.parent_path() / ("." + path.stem().string() + ".XXXXXX")).string();
+  pattern += extension;
+  const int descriptor = ::mkstemps(pattern.data(), static_cast<int>(extension.size()));
+  if (descriptor < 0) fail_output(target, "cannot be written: " + system_reason());
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, 0666U & ~mask);
+  ::close(descriptor);
+  return pattern;
+}
+
+}  // namespace
+
+void remove_temporary_files_on_interrupt() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGHUP, on_interrupt);
+}
+
+std::string read_file(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::error_code error;
+  if (fs::is_directory(path, error)) fail_input(path, "is a folder, not a file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) fail_input(path, "cannot be read: " + system_reason());
+  std::string text;
+  const auto size = fs::file_size(path, error);
+  if (!error) text.reserve(size);
+  std::array<char, 1U << 16U> buffer;
+  while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0) {
+    text.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) fail_input(path, "cannot be read to its end: " + system_reason());
+  return text;
+}
+
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (path == "-") {
+    write(std::cout);
+    if (!std::cout.flush()) fail_output("standard output", "cannot be written");
+    return;
+  }
+  TemporaryFile temporary(path);
+  std::ofstream out(temporary.path(), std::ios::binary);
+  write(out);
+  out.close();
+  if (!out) fail_output(path, "cannot be written: " + system_reason());
+  temporary.commit();
+}
+
+TemporaryFile::TemporaryFile(std::string target) : target_(std::move(target)) {
+  std::error_code error;
+  if (fs::is_directory(target_, error)) fail_output(target_, "is a folder, not a file");
+  const fs::path folder = fs::path(target_).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error)) {
+    fail_output(target_, "cannot be written: there is no folder " + folder.string());
+  }
+  path_ = create_temporary_beside(target_);
+  remember(path_);
+}
+
+TemporaryFile::~TemporaryFile() {
+  if (!committed_) ::unlink(path_.c_str());
+  forget(path_);
+}
+
+void TemporaryFile::commit() {
+  if (::rename(path_.c_str(), target_.c_str()) != 0) {
+    fail_output(target_, "cannot be written: " + system_reason());
+  }
+  committed_ = true;
+}
+
+}  // namespace mapwright::cli

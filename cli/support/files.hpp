@@ -1,0 +1,39 @@
+// Whole files in and out, by the rules of docs/cli.md.
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace mapwright::cli {
+
+/// The whole of a file, or of standard input for "-". Throws Error (kInput) that says why not.
+std::string read_file(const std::string& path);
+
+/// Writes through a temporary file beside `path` that is renamed when complete, so that the target
+/// is either the old file or the whole new one; to standard output for "-". Throws Error (kOutput).
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+/// A file that another library writes under a temporary name; `commit` renames it to the target.
+/// Removed when not committed, also on SIGINT and SIGTERM.
+class TemporaryFile {
+ public:
+  /// The temporary name keeps the target's extension, which libraries choose formats by.
+  explicit TemporaryFile(std::string target);
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile();
+
+  const std::string& path() const { return path_; }
+  void commit();
+
+ private:
+  std::string target_;
+  std::string path_;
+  bool committed_ = false;
+};
+
+/// Removes temporary files when the program is interrupted.
+void remove_temporary_files_on_interrupt();
+
+}  // namespace mapwright::cli

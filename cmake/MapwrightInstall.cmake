@@ -1,0 +1,2 @@
+# Installed libraries and headers, found with find_package(mapwright).
+include(CMakePackageConfigHelpers)

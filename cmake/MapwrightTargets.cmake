@@ -1,0 +1,22 @@
+# One library target a folder: mapwright_library(NAME SOURCES... PUBLIC libs... PRIVATE libs...)
+function(mapwright_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT ARG_SOURCES)
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp "")
+    set(ARG_SOURCES ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
+  endif()
+  add_library(${name} STATIC ${ARG_SOURCES})
+  add_library(mapwright::${name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES
+    OUTPUT_NAME mapwright_${name}
+    POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_include_directories(${name}
+    PUBLIC
+      $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+      $<BUILD_INTERFACE:${EXPECTED_INCLUDE_DIR}>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mapwright>)
+  target_link_libraries(${name}
+    PUBLIC ${ARG_PUBLIC}
+    PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:mapwright_build_flags>)
+endfunction()

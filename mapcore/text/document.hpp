@@ -1,0 +1,54 @@
+// A map together with the text it was read from, so that findings can name line and column.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mapcore/finding.hpp"
+#include "mapcore/map.hpp"
+
+namespace mapwright {
+
+/// Fields of the records of the map file, in the order they are written (report, appendix A).
+enum class ObstacleField : std::uint8_t { kKeyword, kId, kShapeType, kSegmentCount, kSemantic };
+enum class SegmentField : std::uint8_t { kAx, kAy, kBx, kBy, kHeight, kInOut, kSemantic };
+
+/// Finds the place of a record's field in the text of a map.
+///
+/// Keeps 8 bytes per record; the rest is looked up in the text when a finding asks for it.
+class TextIndex {
+ public:
+  TextIndex() = default;
+
+  /// Place of a field of obstacle `obstacle` (0-based position in Map::obstacles).
+  TextPlace place(std::string_view text, std::size_t obstacle, ObstacleField field) const;
+
+  /// Place of a field of a segment (0-based position within its obstacle).
+  TextPlace place(std::string_view text, std::size_t obstacle, std::size_t segment,
+                  SegmentField field) const;
+
+  /// Place of the border record's first number, or of its keyword where it has none.
+  TextPlace border_place(std::string_view text) const;
+
+  /// Line and column of a byte offset.
+  TextPlace place_at(std::string_view text, std::size_t offset) const;
+
+  // What the reader fills in.
+  std::size_t border_offset = 0;                      ///< of the keyword
+  std::vector<std::uint64_t> obstacle_offsets;        ///< of the keyword of each obstacle
+  std::vector<std::uint64_t> segment_offsets;         ///< of the first field, all obstacles in turn
+  std::vector<std::uint64_t> first_segment;           ///< per obstacle: index into segment_offsets
+  std::vector<std::uint64_t> line_offsets;            ///< of the first byte of each line
+};
+
+/// A map as read, with everything that was wrong in its text.
+struct MapDocument {
+  std::string text;               ///< as read, byte for byte
+  Map map;                        ///< what could be understood
+  TextIndex index;                ///< where each part of `map` stands in `text`
+  std::vector<Finding> findings;  ///< family F, in the order of the text
+};
+
+}  // namespace mapwright

@@ -1,0 +1,51 @@
+// Writer of the map text format.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "mapcore/map.hpp"
+#include "mapcore/tolerances.hpp"
+
+namespace mapwright {
+
+struct WriteOptions {
+  /// Coordinates and heights are rounded to multiples of this (metres, > 0) and written with the
+  /// fewest decimals that name the multiple.
+  double resolution_m = tolerance::kResolution_m;
+};
+
+/// Writes the canonical layout (report, appendix A), obstacle by obstacle, so that a map larger
+/// than memory can be written. Locale-free; never writes "-0".
+///
+/// Preconditions: finite numbers; no ';', '#' or line break in a semantic string
+/// (`sanitized_semantic` sees to that).
+class MapWriter {
+ public:
+  explicit MapWriter(std::ostream& out, WriteOptions options = {});
+  MapWriter(const MapWriter&) = delete;
+  MapWriter& operator=(const MapWriter&) = delete;
+  ~MapWriter();
+
+  void border(const Border& border);
+  void obstacle(const Obstacle& obstacle);
+  /// Hands everything to the stream. The stream's state says whether it arrived.
+  void finish();
+
+ private:
+  struct Impl;
+  Impl* impl_;
+};
+
+void write_map(const Map& map, std::ostream& out, WriteOptions options = {});
+std::string format_map(const Map& map, WriteOptions options = {});
+
+/// The map that reading `format_map(map, options)` gives: coordinates and heights moved to the
+/// nearest doubles of the decimals that are written.
+Map quantized(const Map& map, WriteOptions options = {});
+
+/// `text` with the characters the format reserves (';', '#', line breaks and other control
+/// characters) replaced: by ',' for ';', by ' ' for the rest.
+std::string sanitized_semantic(std::string_view text);
+
+}  // namespace mapwright

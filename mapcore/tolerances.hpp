@@ -1,0 +1,27 @@
+// Every tolerance of the project, in one place.
+#pragma once
+
+namespace mapwright::tolerance {
+
+/// Grid the writer rounds coordinates and heights to, unless asked otherwise.
+inline constexpr double kResolution_m = 0.001;
+
+/// Greatest distance between a curve and the chords that stand for it (sagitta).
+inline constexpr double kChordSagitta_m = 0.01;
+
+/// Ends nearer to each other than this were meant to be one point (snapping, near misses).
+inline constexpr double kSnap_m = 0.01;
+
+/// Coordinates beyond this are no local frame: somebody forgot to subtract the origin.
+inline constexpr double kAbsurdCoordinate_m = 1.0e6;
+
+/// Nothing a robot meets is higher.
+inline constexpr double kAbsurdHeight_m = 1000.0;
+
+/// A unit normal written with a few decimals is off by less than this.
+inline constexpr double kUnitLength = 1.0e-3;
+
+/// Ramps steeper than this are walls or typing errors (degrees).
+inline constexpr double kSteepRamp_deg = 20.0;
+
+}  // namespace mapwright::tolerance

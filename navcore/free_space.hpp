@@ -1,0 +1,77 @@
+// Where a robot can be: what blocks it, and which side of an outline is free.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mapcore/geometry/segment_index.hpp"
+#include "mapcore/map.hpp"
+#include "mapcore/random.hpp"
+
+namespace mapwright::navcore {
+
+/// How ramps are treated in planning (report, section 4.2).
+enum class RampPolicy {
+  kFree,   ///< driven across like open ground
+  kAvoid,  ///< their footprints block
+};
+
+/// A piece of boundary that stops the robot.
+struct BlockingSegment {
+  Point a, b;
+  std::uint32_t obstacle = 0;  ///< position in Map::obstacles
+};
+
+/// All that blocks: segments higher than 0; of stairs every step, the closing segment and the two
+/// flanks between the steps' ends; ramp footprints where they are to be avoided.
+std::vector<BlockingSegment> blocking_segments(const Map& map, RampPolicy ramps);
+
+/// The free space of a map for a point robot, and its clearance. Immutable; safe to query from many
+/// threads.
+///
+/// A point is solid when it lies inside of a closed outline whose free side is the other one: the
+/// inside of a counter-clockwise ring, unless a clockwise ring within that ring (a courtyard, the
+/// inside of a room) holds the point too. Rings count when all their segments are higher than 0.
+/// The stairs' area is solid. Where a clockwise ring lies in no other ring, the map is drawn from
+/// inside: what is outside of all rings and nearest to such a ring is solid as well.
+class FreeSpace {
+ public:
+  explicit FreeSpace(const Map& map, RampPolicy ramps = RampPolicy::kFree);
+  FreeSpace(FreeSpace&&) noexcept;
+  FreeSpace& operator=(FreeSpace&&) noexcept;
+  ~FreeSpace();
+
+  const Border& border() const;
+  const std::vector<BlockingSegment>& segments() const;
+  const SegmentIndex& index() const;  ///< over segments(), same order
+
+  /// True if p lies in the border and not inside of a solid. Boundaries are free.
+  bool is_free(Point p) const;
+
+  /// True if a disc of `radius_m` around p is inside the border and overlaps no solid: p is free
+  /// and no blocking segment is nearer than the radius.
+  bool is_free(Point p, double radius_m) const;
+
+  /// Distance from a free point to what blocks it or to the border; 0 for a point that is not free.
+  double clearance_m(Point p) const;
+
+  /// True if the disc moves from a to b (each free for it) without meeting anything. For radius 0
+  /// the way must not touch a blocking segment.
+  bool is_free_way(Point a, Point b, double radius_m) const;
+
+  /// Position in Map::obstacles of the obstacle that makes p not free; nothing where p is free or
+  /// outside of the border.
+  std::optional<std::size_t> solid_at(Point p) const;
+
+  /// A uniformly distributed free point; nothing if none was found in 100,000 draws.
+  std::optional<Point> sample(Random& random, double radius_m = 0.0) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mapwright::navcore
