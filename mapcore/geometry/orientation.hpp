@@ -43,7 +43,7 @@ enum class Meeting {
 
 struct SegmentMeeting {
   Meeting kind = Meeting::kNone;
-  Point at;  ///< a point they share, rounded to doubles; for overlaps the middle of the piece
+  Point at;  ///< a point they share, off by rounding only; of overlaps the middle
 };
 
 /// Exact classification. Zero-length segments are points.

@@ -58,8 +58,8 @@ class SegmentIndex {
   std::unique_ptr<Tree> tree_;
 };
 
-/// Calls `visit(i, j)` once for each pair i < j of boxes that meet (closed); n log n + output. In no
-/// promised order.
+/// Calls `visit(i, j)` once for each pair i < j of boxes that meet (closed); n log n + output. In
+/// no promised order.
 void for_each_meeting_pair(const std::vector<Box>& boxes,
                            const std::function<void(std::size_t, std::size_t)>& visit);
 
