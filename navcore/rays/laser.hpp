@@ -34,6 +34,16 @@ class RayCaster {
   /// Ranges (metres, in [0, max_range_m]) of one scan, taken at laser.height_m; `max_range_m` where
   /// nothing stops the ray. Requires ranges.size() == laser.rays.
   virtual void cast(const Pose& pose, const LaserModel& laser, std::span<double> ranges) const = 0;
+
+  /// One scan from each pose, one after the other in `ranges`: the numbers `cast` gives, but what
+  /// depends on the laser alone is computed once. Requires ranges.size() == poses.size() ×
+  /// laser.rays.
+  virtual void cast_all(std::span<const Pose> poses, const LaserModel& laser,
+                        std::span<double> ranges) const {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      cast(poses[i], laser, ranges.subspan(i * laser.rays, laser.rays));
+    }
+  }
 };
 
 }  // namespace mapwright::navcore
