@@ -35,8 +35,9 @@ std::vector<BlockingSegment> blocking_segments(const Map& map, RampPolicy ramps)
 /// A point is solid when it lies inside of a closed outline whose free side is the other one: the
 /// inside of a counter-clockwise ring, unless a clockwise ring within that ring (a courtyard, the
 /// inside of a room) holds the point too. Rings count when all their segments are higher than 0.
-/// The stairs' area is solid. Where a clockwise ring lies in no other ring, the map is drawn from
-/// inside: what is outside of all rings and nearest to such a ring is solid as well.
+/// The areas of stairs, and of ramps that are to be avoided, are solid. Where the outermost rings
+/// are clockwise, the map is drawn from inside, and what is outside of all rings is solid as well
+/// (docs/decisions/0040-free-side-of-outlines.md).
 class FreeSpace {
  public:
   explicit FreeSpace(const Map& map, RampPolicy ramps = RampPolicy::kFree);
@@ -58,15 +59,16 @@ class FreeSpace {
   /// Distance from a free point to what blocks it or to the border; 0 for a point that is not free.
   double clearance_m(Point p) const;
 
-  /// True if the disc moves from a to b (each free for it) without meeting anything. For radius 0
-  /// the way must not touch a blocking segment.
+  /// True if the disc moves from a to b (each free for it) with no blocking segment nearer than the
+  /// radius. For radius 0 the way may touch a blocking segment with its own ends, and nowhere else.
   bool is_free_way(Point a, Point b, double radius_m) const;
 
-  /// Position in Map::obstacles of the obstacle that makes p not free; nothing where p is free or
-  /// outside of the border.
+  /// Position in Map::obstacles of the obstacle that makes p not free (the smallest, where several
+  /// do); nothing where p is free or outside of the border.
   std::optional<std::size_t> solid_at(Point p) const;
 
-  /// A uniformly distributed free point; nothing if none was found in 100,000 draws.
+  /// A uniformly distributed free point; nothing if none was found in 100,000 draws. Draws fall
+  /// where the map is not proved solid, so that a small free space in a wide border is found.
   std::optional<Point> sample(Random& random, double radius_m = 0.0) const;
 
  private:
