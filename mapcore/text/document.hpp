@@ -1,6 +1,7 @@
 // A map together with the text it was read from, so that findings can name line and column.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,10 +18,14 @@ enum class SegmentField : std::uint8_t { kAx, kAy, kBx, kBy, kHeight, kInOut, kS
 
 /// Finds the place of a record's field in the text of a map.
 ///
-/// Keeps 8 bytes per record; the rest is looked up in the text when a finding asks for it.
+/// Keeps 8 bytes per record and 16 per block of the text; the rest is looked up in the text when a
+/// finding asks for it. Every place costs one block to find, however long the lines are.
 class TextIndex {
  public:
   TextIndex() = default;
+
+  /// An index of the lines alone.
+  explicit TextIndex(std::string_view text);
 
   /// Place of a field of obstacle `obstacle` (0-based position in Map::obstacles).
   TextPlace place(std::string_view text, std::size_t obstacle, ObstacleField field) const;
@@ -29,18 +34,23 @@ class TextIndex {
   TextPlace place(std::string_view text, std::size_t obstacle, std::size_t segment,
                   SegmentField field) const;
 
-  /// Place of the border record's first number, or of its keyword where it has none.
+  /// Place of the border record's first number, or of its keyword where it has none; line 1, column
+  /// 1 in a map without border.
   TextPlace border_place(std::string_view text) const;
 
-  /// Line and column of a byte offset.
+  /// Line and column of a byte offset. A line ends at LF; a UTF-8 byte order mark takes no column.
   TextPlace place_at(std::string_view text, std::size_t offset) const;
 
+  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+
   // What the reader fills in.
-  std::size_t border_offset = 0;                      ///< of the keyword
-  std::vector<std::uint64_t> obstacle_offsets;        ///< of the keyword of each obstacle
-  std::vector<std::uint64_t> segment_offsets;         ///< of the first field, all obstacles in turn
-  std::vector<std::uint64_t> first_segment;           ///< per obstacle: index into segment_offsets
-  std::vector<std::uint64_t> line_offsets;            ///< of the first byte of each line
+  std::size_t border_offset = kNowhere;         ///< of the keyword
+  std::vector<std::uint64_t> obstacle_offsets;  ///< of the keyword of each obstacle
+  std::vector<std::uint64_t> segment_offsets;   ///< of the first field, all obstacles in turn
+  std::vector<std::uint64_t> first_segment;     ///< per obstacle: index into segment_offsets
+
+ private:
+  std::vector<TextPlace> block_places_;  ///< of the first byte of each block
 };
 
 /// A map as read, with everything that was wrong in its text.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <memory>
 #include <string>
+#include <string_view>
 
 #include "mapcore/map.hpp"
 #include "mapcore/tolerances.hpp"
@@ -10,13 +12,13 @@
 namespace mapwright {
 
 struct WriteOptions {
-  /// Coordinates and heights are rounded to multiples of this (metres, > 0) and written with the
-  /// fewest decimals that name the multiple.
+  /// Coordinates and heights are rounded to multiples of this (metres, in [1e-9, 1e6]) and written
+  /// with the fewest decimals that name the multiple.
   double resolution_m = tolerance::kResolution_m;
 };
 
-/// Writes the canonical layout (report, appendix A), obstacle by obstacle, so that a map larger
-/// than memory can be written. Locale-free; never writes "-0".
+/// Writes the canonical layout (report, appendix A; docs/format.md), obstacle by obstacle, so that
+/// a map larger than memory can be written. Locale-free; never writes "-0".
 ///
 /// Preconditions: finite numbers; no ';', '#' or line break in a semantic string
 /// (`sanitized_semantic` sees to that).
@@ -34,18 +36,19 @@ class MapWriter {
 
  private:
   struct Impl;
-  Impl* impl_;
+  std::unique_ptr<Impl> impl_;
 };
 
 void write_map(const Map& map, std::ostream& out, WriteOptions options = {});
 std::string format_map(const Map& map, WriteOptions options = {});
 
 /// The map that reading `format_map(map, options)` gives: coordinates and heights moved to the
-/// nearest doubles of the decimals that are written.
+/// nearest doubles of the decimals that are written, semantic strings without white space at their
+/// ends.
 Map quantized(const Map& map, WriteOptions options = {});
 
 /// `text` with the characters the format reserves (';', '#', line breaks and other control
-/// characters) replaced: by ',' for ';', by ' ' for the rest.
+/// characters) replaced: by ',' for ';', by ' ' for the rest; without white space at its ends.
 std::string sanitized_semantic(std::string_view text);
 
 }  // namespace mapwright

@@ -1,0 +1,150 @@
+#include "mapcore/text/decimal_format.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace mapwright::text {
+namespace {
+
+constexpr int kSignificantDigits = 9;
+constexpr double kMostMultiples = 0x1p50;
+constexpr double kMostUnits = 9.0e18;
+
+std::uint64_t power_of_ten(int exponent) {
+  std::uint64_t power = 1;
+  for (int i = 0; i < exponent; ++i) power *= 10;
+  return power;
+}
+
+// Nearest whole number, ties to even: adding 1.5 · 2^52 leaves no bits for a fraction. Requires
+// |value| < 2^51.
+double nearest_whole(double value) {
+  constexpr double kNoFraction = 0x1.8p52;
+  return (value + kNoFraction) - kNoFraction;
+}
+
+/// The numbers 0 to 999 as text, in one table: three digits each, the fourth byte tells how many
+/// remain without leading zeros, the fifth how many without trailing ones.
+struct ThreeDigits {
+  char digits[3];
+  std::uint8_t without_leading_zeros;
+  std::uint8_t without_trailing_zeros;
+};
+
+constexpr auto three_digits_table() {
+  std::array<ThreeDigits, 1000> table{};
+  for (int i = 0; i < 1000; ++i) {
+    auto& entry = table[static_cast<std::size_t>(i)];
+    entry.digits[0] = static_cast<char>('0' + i / 100);
+    entry.digits[1] = static_cast<char>('0' + i / 10 % 10);
+    entry.digits[2] = static_cast<char>('0' + i % 10);
+    entry.without_leading_zeros = i >= 100 ? 3 : i >= 10 ? 2 : 1;
+    entry.without_trailing_zeros = i == 0 ? 0 : i % 100 == 0 ? 1 : i % 10 == 0 ? 2 : 3;
+  }
+  return table;
+}
+
+constexpr auto kThreeDigits = three_digits_table();
+
+char* write_three_digits(char* out, std::uint64_t number) {
+  std::memcpy(out, kThreeDigits[number].digits, 3);
+  return out + 3;
+}
+
+// Copies four bytes where three are wanted at most: shorter than a loop.
+char* write_below_thousand(char* out, std::uint64_t number) {
+  const auto& entry = kThreeDigits[number];
+  const int skip = 3 - entry.without_leading_zeros;
+  std::memcpy(out, entry.digits + skip, 3 - static_cast<std::size_t>(skip));
+  return out + entry.without_leading_zeros;
+}
+
+char* write_whole(char* out, std::uint64_t number) {
+  if (number < 1000) return write_below_thousand(out, number);
+  if (number < 1'000'000) {
+    return write_three_digits(write_below_thousand(out, number / 1000), number % 1000);
+  }
+  return std::to_chars(out, out + 20, number).ptr;
+}
+
+// '.' and the decimals, without trailing zeros.
+char* write_fraction(char* out, std::uint64_t fraction, int decimals) {
+  *out++ = '.';
+  char* const end = out + decimals;
+  for (char* at = end; at != out; fraction /= 10) *--at = static_cast<char>('0' + fraction % 10);
+  char* last = end;
+  while (last[-1] == '0') --last;
+  return last;
+}
+
+char* write_thousandths(char* out, std::uint64_t fraction) {
+  *out++ = '.';
+  const auto& entry = kThreeDigits[fraction];
+  std::memcpy(out, entry.digits, 3);
+  return out + entry.without_trailing_zeros;
+}
+
+}  // namespace
+
+DecimalFormat::DecimalFormat(double resolution) {
+  assert(resolution >= 1e-9 && resolution <= 1e6);
+  char buffer[32];
+  const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), resolution,
+                                          std::chars_format::scientific, kSignificantDigits - 1);
+  // d.dddddddde±xx: the digits are a whole number of units 10^(xx − 8).
+  const char* const e = std::find(buffer, end, 'e');
+  int exponent = 0;
+  std::from_chars(e[1] == '+' ? e + 2 : e + 1, end, exponent);
+  step_ = buffer[0] - '0';
+  for (const char* p = buffer + 2; p != e; ++p) step_ = step_ * 10 + (*p - '0');
+  decimals_ = kSignificantDigits - 1 - exponent;
+  for (; decimals_ > 0 && step_ % 10 == 0; --decimals_) step_ /= 10;
+  units_per_one_ = power_of_ten(decimals_);
+  scale_ = static_cast<double>(units_per_one_);
+}
+
+DecimalFormat::Multiple DecimalFormat::nearest_multiple(double value) const {
+  const double scaled = value * scale_;
+  const double multiple = step_ == 1 ? scaled : scaled / static_cast<double>(step_);
+  if (!(std::abs(multiple) < kMostMultiples && std::abs(scaled) < kMostUnits)) return {};
+  return {true, static_cast<std::int64_t>(nearest_whole(multiple)) * step_};
+}
+
+char* DecimalFormat::write_units(char* out, std::int64_t units) const {
+  *out = '-';
+  out += units < 0 ? 1 : 0;
+  const auto magnitude = static_cast<std::uint64_t>(units < 0 ? -units : units);
+  if (decimals_ == 3) {  // the default; a constant divisor is several times faster
+    out = write_whole(out, magnitude / 1000);
+    const std::uint64_t fraction = magnitude % 1000;
+    return fraction == 0 ? out : write_thousandths(out, fraction);
+  }
+  out = write_whole(out, magnitude / units_per_one_);
+  const std::uint64_t fraction = magnitude % units_per_one_;
+  return fraction == 0 ? out : write_fraction(out, fraction, decimals_);
+}
+
+char* DecimalFormat::write(char* out, double value) const {
+  assert(std::isfinite(value));
+  const Multiple multiple = nearest_multiple(value);
+  if (multiple.fits) return write_units(out, multiple.units);
+  return std::to_chars(out, out + kMaxCharacters, value, std::chars_format::fixed).ptr;
+}
+
+double DecimalFormat::rounded(double value) const {
+  const Multiple multiple = nearest_multiple(value);
+  if (!multiple.fits) return value;
+  // Both operands exact: one rounding, as in reading (decimal.hpp).
+  constexpr std::int64_t kExactUnits = std::int64_t{1} << 53;
+  if (std::abs(multiple.units) <= kExactUnits) return static_cast<double>(multiple.units) / scale_;
+  char buffer[kMaxCharacters];
+  const char* const end = write_units(buffer, multiple.units);
+  double read = 0.0;
+  std::from_chars(buffer, end, read);
+  return read;
+}
+
+}  // namespace mapwright::text

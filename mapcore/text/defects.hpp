@@ -1,0 +1,58 @@
+// The defects a reader collects, and how it words them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mapcore/finding.hpp"
+#include "mapcore/text/decimal.hpp"
+#include "mapcore/text/document.hpp"
+
+namespace mapwright::text {
+
+/// What a record describes, as far as it is known.
+struct Subject {
+  enum class Kind : std::uint8_t { kBorder, kObstacle, kSegment };
+  Kind kind = Kind::kSegment;
+  std::optional<std::int64_t> obstacle;  ///< id
+  std::optional<std::size_t> segment;    ///< 1-based
+
+  /// "segment 3 of obstacle 26".
+  std::string name() const;
+};
+
+/// Defects with their places as byte offsets, in any order.
+class Defects {
+ public:
+  /// A message about the file.
+  void add(FindingCode code, std::size_t offset, std::string message);
+
+  /// A message about a record: "<subject>: <message>".
+  void add(FindingCode code, std::size_t offset, const Subject& subject, std::string_view message);
+
+  /// All of them with line and column, in the order of the text.
+  std::vector<Finding> findings(std::string_view text, const TextIndex& index) &&;
+
+ private:
+  struct Defect {
+    std::size_t offset;
+    Finding finding;
+  };
+  std::vector<Defect> defects_;
+};
+
+/// The code and the words for a field that should be a number but reads as `status` (not kOk).
+struct NumberComplaint {
+  FindingCode code;
+  std::string message;
+};
+NumberComplaint number_complaint(std::string_view field_name, std::string_view text,
+                                 NumberStatus status);
+NumberComplaint integer_complaint(std::string_view field_name, std::string_view text,
+                                  NumberStatus status);
+
+}  // namespace mapwright::text

@@ -1,0 +1,94 @@
+#include "mapcore/text/document.hpp"
+
+#include <algorithm>
+
+#include "mapcore/text/characters.hpp"
+
+namespace mapwright {
+namespace {
+
+constexpr std::size_t kBlockBytes = 4096;
+
+bool is_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+std::size_t count_characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += is_continuation(c) ? 0U : 1U;
+  return count;
+}
+
+// The place behind `text`, which begins at `place`.
+TextPlace advanced(TextPlace place, std::string_view text) {
+  const auto breaks = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  if (breaks == 0) return {place.line, place.column + count_characters(text)};
+  return {place.line + breaks, 1 + count_characters(text.substr(text.rfind('\n') + 1))};
+}
+
+std::size_t skip_blanks(std::string_view text, std::size_t at) {
+  while (at < text.size() && text::is_blank(text[at])) ++at;
+  return at;
+}
+
+// First byte of the field `fields` semicolons behind `at`; the record's '#' where it has fewer.
+std::size_t field_offset(std::string_view text, std::size_t at, std::size_t fields) {
+  for (; fields > 0; --fields) {
+    while (at < text.size() && text[at] != ';' && text[at] != '#') ++at;
+    if (at >= text.size() || text[at] == '#') return at;
+    ++at;
+  }
+  return skip_blanks(text, at);
+}
+
+// First byte behind a record's keyword, and behind the ';' that should follow it.
+std::size_t behind_keyword(std::string_view text, std::size_t at) {
+  while (at < text.size() && text::is_letter(text[at])) ++at;
+  const std::size_t next = skip_blanks(text, at);
+  if (next < text.size() && text[next] == ';') return skip_blanks(text, next + 1);
+  return next;
+}
+
+}  // namespace
+
+TextIndex::TextIndex(std::string_view text) {
+  block_places_.reserve(text.size() / kBlockBytes + 1);
+  TextPlace place;
+  if (text.starts_with(text::kByteOrderMark)) place.column = 0;
+  for (std::size_t at = 0; at < text.size(); at += kBlockBytes) {
+    block_places_.push_back(place);
+    place = advanced(place, text.substr(at, kBlockBytes));
+  }
+}
+
+TextPlace TextIndex::place_at(std::string_view text, std::size_t offset) const {
+  offset = std::min(offset, text.size());
+  if (block_places_.empty()) return advanced({}, text.substr(0, offset));
+  const std::size_t block = std::min(offset / kBlockBytes, block_places_.size() - 1);
+  const std::size_t start = block * kBlockBytes;
+  TextPlace place = advanced(block_places_[block], text.substr(start, offset - start));
+  place.column = std::max<std::size_t>(place.column, 1);
+  return place;
+}
+
+TextPlace TextIndex::place(std::string_view text, std::size_t obstacle, ObstacleField field) const {
+  const std::size_t keyword = obstacle_offsets[obstacle];
+  if (field == ObstacleField::kKeyword) return place_at(text, keyword);
+  const auto behind = static_cast<std::size_t>(field) - 1;
+  return place_at(text, field_offset(text, behind_keyword(text, keyword), behind));
+}
+
+TextPlace TextIndex::place(std::string_view text, std::size_t obstacle, std::size_t segment,
+                           SegmentField field) const {
+  const std::size_t first = segment_offsets[first_segment[obstacle] + segment];
+  return place_at(text, field_offset(text, first, static_cast<std::size_t>(field)));
+}
+
+TextPlace TextIndex::border_place(std::string_view text) const {
+  if (border_offset == kNowhere) return {};
+  const std::size_t number = behind_keyword(text, border_offset);
+  const bool has_one = number < text.size() && text[number] != '#';
+  return place_at(text, has_one ? number : border_offset);
+}
+
+}  // namespace mapwright
