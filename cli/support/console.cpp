@@ -19,7 +19,13 @@ void draw_bar(std::ostream& err, const std::string& what, std::size_t done, std:
 
 }  // namespace
 
-void Console::error(std::string_view message) { err_ << "mapwright: error: " << message << '\n'; }
+void Console::error(std::string_view message) {
+  err_ << "mapwright: error: " << message << '\n';
+}
+
+void Console::complaint(std::string_view line) {
+  err_ << line << '\n';
+}
 
 void Console::warning(std::string_view message) {
   if (verbosity_ != Verbosity::kQuiet) err_ << "mapwright: warning: " << message << '\n';

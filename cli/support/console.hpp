@@ -21,6 +21,8 @@ class Console {
 
   /// "mapwright: error: …"; always shown.
   void error(std::string_view message);
+  /// A line that names its own place, such as an error in an input; always shown.
+  void complaint(std::string_view line);
   /// "mapwright: warning: …"; always shown but with --quiet.
   void warning(std::string_view message);
   /// A line about what was done; not with --quiet.

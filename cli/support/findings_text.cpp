@@ -1,0 +1,38 @@
+#include "cli/support/findings_text.hpp"
+
+namespace mapwright::cli {
+
+std::string_view display_path(std::string_view path) {
+  return path == "-" ? "<stdin>" : path;
+}
+
+std::string finding_line(std::string_view path, const Finding& finding) {
+  std::string line(display_path(path));
+  if (finding.place) {
+    line += ':' + std::to_string(finding.place->line) + ':' + std::to_string(finding.place->column);
+  }
+  line += ": ";
+  line += to_string(finding.severity);
+  line += ": " + finding.message + " [";
+  line += finding_type(finding.code).id;
+  return line + ']';
+}
+
+void write_findings(std::ostream& out, std::string_view path,
+                    const std::vector<Finding>& findings) {
+  for (const auto& finding : findings) out << finding_line(path, finding) << '\n';
+}
+
+void report_findings(Console& console, std::string_view path,
+                     const std::vector<Finding>& findings) {
+  for (const auto& finding : findings) {
+    const std::string line = finding_line(path, finding);
+    if (finding.severity == Severity::kError) {
+      console.complaint(line);
+    } else {
+      console.note(line);
+    }
+  }
+}
+
+}  // namespace mapwright::cli
