@@ -24,4 +24,8 @@ inline constexpr double kUnitLength = 1.0e-3;
 /// Ramps steeper than this are walls or typing errors (degrees).
 inline constexpr double kSteepRamp_deg = 20.0;
 
+/// More than double arithmetic can be off by in a distance between points of a map. Proofs give it
+/// away on the safe side.
+inline constexpr double kArithmetic_m = 1.0e-9;
+
 }  // namespace mapwright::tolerance
