@@ -5,87 +5,10 @@
 #include <string>
 
 #include "mapcore/text/characters.hpp"
-#include "mapcore/text/decimal.hpp"
+#include "mapcore/text/record_shapes.hpp"
 
 namespace mapwright::text {
 namespace {
-
-bool is_number(std::string_view text) {
-  return read_number(text).status == NumberStatus::kOk;
-}
-bool is_integer(std::string_view text) {
-  return read_integer(text).status == NumberStatus::kOk;
-}
-
-bool equal_but_case(std::string_view text, std::string_view lower_case) {
-  return std::equal(text.begin(), text.end(), lower_case.begin(), lower_case.end(),
-                    [](char c, char lower) { return (c | ' ') == lower; });
-}
-
-bool is_keyword(std::string_view word) {
-  return equal_but_case(word, "border") || equal_but_case(word, "obstacle");
-}
-
-std::string_view first_word(std::string_view text) {
-  return text.substr(
-      0, static_cast<std::size_t>(std::find_if(text.begin(), text.end(), is_blank) - text.begin()));
-}
-
-std::string_view last_word(std::string_view text) {
-  const auto gap = std::find_if(text.rbegin(), text.rend(), is_blank);
-  return text.substr(static_cast<std::size_t>(text.rend() - gap));
-}
-
-/// The keyword a field ends with ("obstacle", ". obstacle") or begins with ("obstacle 26").
-std::string_view keyword_of(std::string_view field) {
-  if (const auto word = last_word(field); is_keyword(word)) return word;
-  if (const auto word = first_word(field); is_keyword(word)) return word;
-  return {};
-}
-
-/// True if the fields behind a keyword look like those of an obstacle: three whole numbers and a
-/// semantic string.
-bool follows_obstacle(FieldWalker walker) {
-  for (int i = 0; i < 3; ++i) {
-    if (walker.done() || !is_integer(walker.next().text)) return false;
-  }
-  if (walker.done()) return false;
-  const Field semantic = walker.next();
-  return semantic.closed && !is_number(semantic.text);
-}
-
-bool follows_border(FieldWalker walker) {
-  for (int i = 0; i < 4; ++i) {
-    if (walker.done() || !is_number(walker.next().text)) return false;
-  }
-  return true;
-}
-
-/// True if at least four of five fields are numbers: a segment, perhaps with a slip.
-bool looks_like_segment(FieldWalker walker) {
-  int numbers = 0;
-  for (int i = 0; i < 5 && !walker.done(); ++i) numbers += is_number(walker.next().text) ? 1 : 0;
-  return numbers >= 4;
-}
-
-bool holds_a_number(FieldWalker walker) {
-  while (!walker.done()) {
-    if (is_number(walker.next().text)) return true;
-  }
-  return false;
-}
-
-/// True if the fields before the semantic string are all well: the numbers of an obstacle or of a
-/// segment.
-bool holds_values(FieldWalker walker, bool of_segment) {
-  for (int i = 0; i < (of_segment ? 5 : 3); ++i) {
-    const auto text = walker.next().text;
-    if (!(of_segment ? is_number(text) : is_integer(text))) return false;
-  }
-  if (!of_segment) return true;
-  const auto in_out = walker.next().text;
-  return in_out == "0" || in_out == "1";
-}
 
 template <std::size_t count>
 std::array<Field, count> take(FieldWalker& walker) {
@@ -214,8 +137,7 @@ void RecordReader::read_run(const Run& run) {
   if (are_records(opening, run.end, opening.count) && (run.has_end || !has_tail)) {
     const std::size_t stop = read_sequence(opening, run.end, opening.count);
     if (has_tail) report_stray(opening.tail);
-    // The '#' at run.end closes the last record; a keyword there closes nothing.
-    if (run.end >= text_.size() || text_[run.end] != '#') report_missing_end(stop);
+    if (!is_closed(run)) report_missing_end(stop);
   } else if (!run.has_end) {
     read_unfinished(run, opening);
   } else if (has_tail && are_records(opening, run.end, fields)) {
@@ -224,7 +146,7 @@ void RecordReader::read_run(const Run& run) {
                  "';' is missing before '#'");
   } else {
     read_miscounted(run, opening);
-    if (text_[run.end] != '#') report_missing_end(run.end);
+    if (!is_closed(run)) report_missing_end(run.end);
   }
 }
 
@@ -308,7 +230,8 @@ bool RecordReader::read_without_semantic(const Run& run, const Opening& opening,
   const bool of_segment = opening.kind == Kind::kSegment;
   const std::size_t wanted = (of_segment ? kSegmentFields : kHeaderFields) - 1;
   if (opening.kind == Kind::kBorder || fields != wanted) return false;
-  if (!holds_values(FieldWalker(text_, opening.fields, run.end), of_segment)) return false;
+  const FieldWalker values(text_, opening.fields, run.end);
+  if (!(of_segment ? holds_segment_values(values) : holds_obstacle_values(values))) return false;
   report_count(opening, fields, "; the semantic string is missing, read as empty");
   read_with_semantic(opening, run.end, Field{{}, run.end, run.end, false});
   return true;
@@ -320,7 +243,7 @@ bool RecordReader::read_with_split_semantic(const Run& run, const Opening& openi
   const std::size_t wanted = of_segment ? kSegmentFields : kHeaderFields;
   if (opening.kind == Kind::kBorder || fields <= wanted) return false;
   FieldWalker walker(text_, opening.fields, run.end);
-  if (!holds_values(walker, of_segment)) return false;
+  if (!(of_segment ? holds_segment_values(walker) : holds_obstacle_values(walker))) return false;
   for (std::size_t i = 0; i + 1 < wanted; ++i) walker.next();
   const std::size_t begin = walker.at();
   if (holds_a_number(walker)) return false;
@@ -379,8 +302,13 @@ void RecordReader::leave_out(const Opening& opening) {
   }
 }
 
+// A keyword ends a run too, but closes no record. What bytes that are no text cut off is reported
+// as such.
+bool RecordReader::is_closed(const Run& run) const {
+  return run.end < text_.size() ? text_[run.end] == '#' : is_cut_;
+}
+
 void RecordReader::report_missing_end(std::size_t at) {
-  if (is_cut_ && at >= text_.size()) return;
   defects_.add(FindingCode::F107, at, "'#' is missing here, behind the last field of a record");
 }
 

@@ -70,6 +70,7 @@ class RecordReader {
   void read_unfinished(const Run& run, const Opening& opening);
   void leave_out(const Opening& opening);
 
+  bool is_closed(const Run& run) const;
   void report_missing_end(std::size_t at);
   void report_stray(const Field& field);
   void report_count(const Opening& opening, std::size_t fields, std::string_view consequence);

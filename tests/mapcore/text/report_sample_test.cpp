@@ -45,8 +45,8 @@ TEST(ReportSample, HasAFindingForEachDamage) {
       {"F108", 4, 413},  // the bench's first segment lost both points
       {"F119", 4, 439},  // nothing between two '#'
       {"F117", 8, 1},    // a quotation mark behind the second
-      {"F107", 8, 96},  // no '#' before stairs 26 …
-      {"F117", 8, 97},  // … but a dot
+      {"F107", 8, 96},   // no '#' before stairs 26 …
+      {"F117", 8, 97},   // … but a dot
   };
   EXPECT_EQ(places(document.findings), expected);
 }
