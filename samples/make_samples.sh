@@ -22,36 +22,33 @@ utm=(-s_srs EPSG:25831 -t_srs EPSG:25831 -ct "$to_ground")
 
 # Directions are attributes, which ogr2ogr does not turn: compass directions of stairs, normals of
 # ramps. They count from the north of the source's grid, which in UTM lies 1.438 degrees west of
-# true north at the site, so that GeoJSON (longitude, latitude) differs. Shapefile field names have at most
-# ten characters.
+# true north at the site, so that GeoJSON (longitude, latitude) differs. Shapefile field names have
+# at most ten characters.
 true_cos=0.8532051208978811
 true_sin=0.5215755186678455
 
 turned_normal() { echo "($1*nx - $2*ny) AS nx, ($2*nx + $1*ny) AS ny, nz"; }
 
-fields_of() {
+campus_fields() {
+  local stairs='name, kind, stair_id, steps, rise, in_out'
   case "$1/$2" in
     geojson/ramps) echo "name, kind, $(turned_normal $true_cos $true_sin), in_out" ;;
     */ramps) echo "name, kind, $(turned_normal $cos $sin), in_out" ;;
-    geojson/stairs)
-      echo 'name, kind, stair_id, steps, rise, (direction_deg - 31.438) AS direction_deg, in_out'
-      ;;
-    shp/stairs) echo 'name, kind, stair_id, steps, rise, (direction_deg - 30) AS direction, in_out' ;;
-    */stairs)
-      echo 'name, kind, stair_id, steps, rise, (direction_deg - 30) AS direction_deg, in_out'
-      ;;
-    shp/walls) echo 'name, kind, height, base_height AS base_h, in_out' ;;
-    shp/buildings) echo 'name, kind, height, in_out, segment_semantic AS seg_sem' ;;
+    geojson/stairs) echo "$stairs, (direction_deg - 31.438) AS direction_deg" ;;
+    shp/stairs) echo "$stairs, (direction_deg - 30) AS direction_" ;;
+    */stairs) echo "$stairs, (direction_deg - 30) AS direction_deg" ;;
+    shp/walls) echo 'name, kind, height, base_height AS base_heigh, in_out' ;;
+    shp/buildings) echo 'name, kind, height, in_out, segment_semantic AS segment_se' ;;
     *) echo '*' ;;
   esac
 }
 
-# layer FORMAT OUT NAME DRAWING OPTION...: makes or extends a data set by one drawing.
+# layer OUT FIELDS DRAWING OPTION...: makes a data set of one drawing, or adds a layer to one.
 layer() {
-  local format=$1 out=$2 name=$3 drawing=$4
-  shift 4
-  ogr2ogr -q "$@" "${csv[@]}" -sql "SELECT $(fields_of "$format" "$name") FROM \"$name\"" \
-    -nln "$name" "$out" "$drawing"
+  local out=$1 fields=$2 drawing=$3 name
+  shift 3
+  name=$(basename "$drawing" .csv)
+  ogr2ogr -q "$@" "${csv[@]}" -sql "SELECT $fields FROM \"$name\"" -nln "$name" "$out" "$drawing"
 }
 
 make_campus() {
@@ -60,15 +57,32 @@ make_campus() {
   mkdir -p campus/shp campus/geojson
   for drawing in campus/drawing/*.csv; do
     name=$(basename "$drawing" .csv)
-    layer gpkg campus/campus.gpkg "$name" "$drawing" -f GPKG -update -append "${utm[@]}" \
-      -lco GEOMETRY_NAME=geom -lco SPATIAL_INDEX=NO
-    layer shp "campus/shp/$name.shp" "$name" "$drawing" -lco "$dbf_date" -lco ENCODING=UTF-8 \
-      "${utm[@]}"
-    layer geojson campus/geojson.tmp.gpkg "$name" "$drawing" -f GPKG -update -append "${utm[@]}"
+    layer campus/campus.gpkg "$(campus_fields gpkg "$name")" "$drawing" "${utm[@]}" \
+      -f GPKG -update -append -lco GEOMETRY_NAME=geom -lco SPATIAL_INDEX=NO
+    layer "campus/shp/$name.shp" "$(campus_fields shp "$name")" "$drawing" "${utm[@]}" \
+      -lco "$dbf_date" -lco ENCODING=UTF-8
+    layer campus/geojson.tmp.gpkg "$(campus_fields geojson "$name")" "$drawing" "${utm[@]}" \
+      -f GPKG -update -append
     ogr2ogr -q -lco RFC7946=YES -lco COORDINATE_PRECISION=9 \
       "campus/geojson/$name.geojson" campus/geojson.tmp.gpkg "$name"
   done
   rm campus/geojson.tmp.gpkg
 }
 
+# The square is drawn in the report's own frame, and its files state no coordinate system.
+make_fib_square() {
+  local name
+  rm -rf fib_square/fib_square.gpkg fib_square/shp
+  mkdir -p fib_square/shp
+  # Columns and furniture first: the converter numbers obstacles in the order of the layers, which
+  # gives columns 1 and 2, bench 13 and stairs 26 the numbers the report prints.
+  for name in columns street_furniture step_lines buildings stairways walls ramps extent; do
+    layer fib_square/fib_square.gpkg '*' "fib_square/drawing/$name.csv" \
+      -f GPKG -update -append -lco GEOMETRY_NAME=geom -lco SPATIAL_INDEX=NO
+    layer "fib_square/shp/$name.shp" '*' "fib_square/drawing/$name.csv" \
+      -lco "$dbf_date" -lco ENCODING=UTF-8
+  done
+}
+
 make_campus
+make_fib_square
