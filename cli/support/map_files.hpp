@@ -1,14 +1,21 @@
 // Maps and their sidecars, read by the rules of docs/cli.md.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "mapcore/georeference.hpp"
+#include "mapcore/result.hpp"
 #include "mapcore/text/document.hpp"
 
 namespace mapwright::cli {
 
-/// Reads a map from a file or from standard input ("-"). Throws Error (kInput) where the file cannot
-/// be read; defects of its text are findings of the document.
+/// Reads a map from a file or from standard input ("-"). Throws Error (kInput) where the file
+/// cannot be read; defects of its text are findings of the document.
 MapDocument read_map_file(const std::string& path);
+
+/// The georeference beside a map; nothing where there is no sidecar, or the map is standard input.
+/// Failure: the sidecar makes no sense. Throws Error (kInput) where it cannot be read.
+Result<std::optional<Georeference>> read_sidecar(const std::string& map_path);
 
 }  // namespace mapwright::cli
