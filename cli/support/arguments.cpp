@@ -22,6 +22,18 @@ double parse_number(const std::string& option, const std::string& text) {
   return value;
 }
 
+std::uint64_t parse_integer(const std::string& option, const std::string& text, std::uint64_t least,
+                            std::uint64_t most) {
+  std::uint64_t value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_read = error == std::errc{} && stop == text.data() + text.size();
+  if (is_read && least <= value && value <= most) return value;
+  const std::string range = most == UINT64_MAX
+                                ? std::to_string(least) + " or more"
+                                : "from " + std::to_string(least) + " to " + std::to_string(most);
+  fail_usage("--" + option + ": '" + text + "' is not a whole number, " + range);
+}
+
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   std::size_t least, std::size_t most) {
   std::vector<double> numbers;
@@ -33,9 +45,8 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
     begin = comma + 1;
   }
   if (numbers.size() < least || numbers.size() > most) {
-    const std::string count = least == most
-                                  ? std::to_string(least)
-                                  : std::to_string(least) + " to " + std::to_string(most);
+    const std::string count = least == most ? std::to_string(least)
+                                            : std::to_string(least) + " to " + std::to_string(most);
     fail_usage("--" + option + ": expected " + count + " numbers with commas between them, got '" +
                text + "'");
   }
@@ -57,7 +68,8 @@ std::vector<std::string> with_negative_values_joined(std::vector<std::string> ar
     return word.size() > 2 && word.compare(0, 2, "--") == 0 && word.find('=') == word.npos;
   };
   const auto is_negative_number = [](const std::string& word) {
-    return word.size() > 1 && word[0] == '-' && (word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
+    return word.size() > 1 && word[0] == '-' &&
+           (word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
   };
   std::vector<std::string> joined;
   for (auto& word : arguments) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace mapwright::cli {
 
 /// A finite number. Throws Error (kUsage) that names the option.
 double parse_number(const std::string& option, const std::string& text);
+
+/// A whole number from `least` to `most`. Throws Error (kUsage) that names the option: unlike
+/// Boost.Program_options, which reads -1 as the greatest of all.
+std::uint64_t parse_integer(const std::string& option, const std::string& text,
+                            std::uint64_t least = 0, std::uint64_t most = UINT64_MAX);
 
 /// "1,2,3": between `least` and `most` finite numbers.
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,

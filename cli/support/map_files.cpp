@@ -1,8 +1,11 @@
 #include "cli/support/map_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
+#include "cli/support/findings_text.hpp"
 #include "mapcore/text/reader.hpp"
 
 namespace mapwright::cli {
@@ -18,6 +21,20 @@ Result<std::optional<Georeference>> read_sidecar(const std::string& map_path) {
   auto georeference = parse_georeference(read_file(path));
   if (!georeference) return tl::unexpected(georeference.error());
   return *std::move(georeference);
+}
+
+MapDocument read_sound_map_file(const std::string& path) {
+  MapDocument document = read_map_file(path);
+  const auto is_error = [](const Finding& finding) { return finding.severity == Severity::kError; };
+  const auto& findings = document.findings;
+  const auto errors = std::count_if(findings.begin(), findings.end(), is_error);
+  if (errors == 0) return document;
+  const auto first = std::find_if(findings.begin(), findings.end(), is_error);
+  std::string message = finding_line(path, *first);
+  if (errors > 1) {
+    message += "; and " + std::to_string(errors - 1) + " more: 'mapwright validate' names them";
+  }
+  throw Error(ExitStatus::kInput, message);
 }
 
 }  // namespace mapwright::cli

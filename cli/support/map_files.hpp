@@ -18,4 +18,9 @@ MapDocument read_map_file(const std::string& path);
 /// Failure: the sidecar makes no sense. Throws Error (kInput) where it cannot be read.
 Result<std::optional<Georeference>> read_sidecar(const std::string& map_path);
 
+/// The same for verbs whose answer a robot relies on: defects of the text of severity error
+/// (records that could not be understood and are missing from the map) are an Error (kInput) that
+/// names the first.
+MapDocument read_sound_map_file(const std::string& path);
+
 }  // namespace mapwright::cli

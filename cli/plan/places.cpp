@@ -1,0 +1,88 @@
+#include "cli/plan/places.hpp"
+
+#include <charconv>
+#include <cstdio>
+
+#include "cli/support/arguments.hpp"
+#include "cli/support/error.hpp"
+
+namespace mapwright::cli {
+namespace {
+
+std::string number_text(double value) {
+  char buffer[32];
+  const auto result = std::to_chars(std::begin(buffer), std::end(buffer), value);
+  return {std::begin(buffer), result.ptr};
+}
+
+std::string metres_text(double metres) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3f m", metres);
+  return buffer;
+}
+
+double distance_to_border_m(const Border& border, Point p) {
+  return std::min(std::min(p.x - border.left, border.right - p.x),
+                  std::min(p.y - border.bottom, border.top - p.y));
+}
+
+bool fits_nowhere(const Border& border, double radius_m) {
+  return 2.0 * radius_m > std::min(border.right - border.left, border.top - border.bottom);
+}
+
+std::int64_t parse_id(const std::string& option, const std::string& text) {
+  std::int64_t id = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    fail_usage("--" + option + ": '" + text + "' is not the id of a ramp");
+  }
+  return id;
+}
+
+}  // namespace
+
+std::string place_text(Point p) {
+  return "(" + number_text(p.x) + ", " + number_text(p.y) + ")";
+}
+
+std::string obstacle_text(const Obstacle& obstacle) {
+  std::string text = "obstacle " + std::to_string(obstacle.id);
+  if (!obstacle.semantic.empty()) text += " (" + obstacle.semantic.str() + ")";
+  return text;
+}
+
+std::optional<std::string> why_not_standing(const Map& map, const navcore::FreeSpace& space,
+                                            Point p, double radius_m, const std::string& what) {
+  if (space.is_free(p, radius_m)) return std::nullopt;
+  const std::string place = what + " " + place_text(p);
+  const std::string robot = "a robot of radius " + number_text(radius_m) + " m";
+  if (fits_nowhere(map.border, radius_m)) {
+    return robot + " does not fit within the map's border, " +
+           number_text(map.border.right - map.border.left) + " m by " +
+           number_text(map.border.top - map.border.bottom) + " m";
+  }
+  if (!map.border.contains(p)) return place + " lies outside of the map's border";
+  if (const auto solid = space.solid_at(p)) {
+    const Obstacle& obstacle = map.obstacles[*solid];
+    const bool within = extent(obstacle).contains(p) && obstacle.segments.size() > 1;
+    return place + (within ? " lies in " : " lies outside of the rooms of the map, behind ") +
+           obstacle_text(obstacle);
+  }
+  const double to_border_m = distance_to_border_m(map.border, p);
+  const auto nearest = space.index().nearest(p);
+  if (!nearest || to_border_m < nearest->distance_m) {
+    return place + " is " + metres_text(to_border_m) + " from the map's border, too near for " +
+           robot;
+  }
+  const Obstacle& obstacle = map.obstacles[space.index()[nearest->segment].tag];
+  return place + " is " + metres_text(nearest->distance_m) + " from " + obstacle_text(obstacle) +
+         ", too near for " + robot;
+}
+
+ViaPlace parse_via(const std::string& option, const std::string& text) {
+  constexpr std::string_view kRamp = "ramp:";
+  if (!text.starts_with(kRamp)) return {std::nullopt, parse_point(option, text)};
+  return {parse_id(option, text.substr(kRamp.size())), {}};
+}
+
+}  // namespace mapwright::cli

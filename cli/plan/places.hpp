@@ -1,0 +1,34 @@
+// Start, goal and what lies between: whether a robot can stand there, and why not.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "mapcore/map.hpp"
+#include "navcore/free_space.hpp"
+
+namespace mapwright::cli {
+
+/// "(1.5, -2)", as short as the numbers read back.
+std::string place_text(Point p);
+
+/// "obstacle 7 (column,A5)".
+std::string obstacle_text(const Obstacle& obstacle);
+
+/// Why the robot cannot stand at p: outside of the border, in an obstacle, or too near to one,
+/// which is named; nothing where it can. `what` begins the sentence: "start (1, 2) lies in obstacle
+/// …".
+std::optional<std::string> why_not_standing(const Map& map, const navcore::FreeSpace& space,
+                                            Point p, double radius_m, const std::string& what);
+
+/// A place the path must pass: a point, or somewhere on the ramp with an id.
+struct ViaPlace {
+  std::optional<std::int64_t> ramp;
+  Point at;
+};
+
+/// "x,y" or "ramp:ID". Throws Error (kUsage).
+ViaPlace parse_via(const std::string& option, const std::string& text);
+
+}  // namespace mapwright::cli
