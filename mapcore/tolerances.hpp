@@ -21,6 +21,18 @@ inline constexpr double kAbsurdHeight_m = 1000.0;
 /// A unit normal written with a few decimals is off by less than this.
 inline constexpr double kUnitLength = 1.0e-3;
 
+/// Obstacles that reach into each other by less than this only touch: rounding to the resolution
+/// moves two outlines that far towards each other.
+inline constexpr double kOverlapDepth_m = 0.002;
+
+/// Steps lower or higher than this are typing errors, or no steps.
+inline constexpr double kLeastStepRise_m = 0.02;
+inline constexpr double kGreatestStepRise_m = 0.5;
+
+/// Steps of a flight that turn more than this from one to the next are no flight (degrees). Winding
+/// and fan stairs turn by less.
+inline constexpr double kGreatestStepTurn_deg = 10.0;
+
 /// Ramps steeper than this are walls or typing errors (degrees).
 inline constexpr double kSteepRamp_deg = 20.0;
 

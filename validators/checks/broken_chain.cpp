@@ -1,0 +1,36 @@
+#include "validators/check.hpp"
+#include "validators/wording.hpp"
+
+namespace mapwright::validators {
+namespace {
+
+// A segment written twice breaks the chain too; G111 tells of it.
+bool is_repetition(const Segment& segment, const Segment& before) {
+  return segment.a == before.a && segment.b == before.b;
+}
+
+void check_obstacle(const Obstacle& obstacle, std::size_t i, FindingSink& sink) {
+  for (std::size_t k = 1; k < obstacle.segments.size(); ++k) {
+    const Segment& before = obstacle.segments[k - 1];
+    const Segment& segment = obstacle.segments[k];
+    if (before.b == segment.a || is_repetition(segment, before)) continue;
+    sink.segment(FindingCode::G106, i, k,
+                 name_of(obstacle, k) + " begins at " + place_text(segment.a) + ", " +
+                     metres(distance(before.b, segment.a)) +
+                     " m from where the one before it ends, " + place_text(before.b) +
+                     "; join them, or make two obstacles of it");
+  }
+}
+
+}  // namespace
+
+void check_broken_chain(const CheckContext& context, FindingSink& sink) {
+  const auto& obstacles = context.map().obstacles;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (obstacles[i].shape_type == ShapeType::kStairs) continue;
+    const bool is_broken = !context.outlines()[i].is_joined && context.is_complete(i);
+    if (is_broken) check_obstacle(obstacles[i], i, sink);
+  }
+}
+
+}  // namespace mapwright::validators

@@ -1,0 +1,223 @@
+#include <map>
+#include <optional>
+#include <string>
+
+#include "validators/check.hpp"
+#include "validators/shape/pieces.hpp"
+#include "validators/shape/solid.hpp"
+#include "validators/wording.hpp"
+
+namespace mapwright::validators {
+namespace {
+
+// What counts as overlapping: docs/decisions/0011-overlapping-obstacles.md.
+
+// Where one obstacle reaches into another: a segment of it, and where that begins to do so.
+struct Reach {
+  std::uint32_t segment;
+  Piece piece;
+};
+
+class Overlaps {
+ public:
+  Overlaps(const CheckContext& context, FindingSink& sink)
+      : context_(context),
+        obstacles_(context.map().obstacles),
+        depth_m_(context.options().overlap_depth_m),
+        bodies_(bodies_of(context)),
+        sink_(sink) {}
+
+  void check(ObstaclePair pair) {
+    const Body first = bodies_[pair.first], second = bodies_[pair.second];
+    if (first == Body::kSolid || second == Body::kSolid) {
+      if (is_solid_or_wall(first) && is_solid_or_wall(second)) check_solid(pair);
+    }
+    if (is_crossing_candidate(pair)) check_crossing(pair);
+  }
+
+ private:
+  static bool is_solid_or_wall(Body body) { return body == Body::kSolid || body == Body::kWall; }
+  static bool is_hollow(Body body) { return body == Body::kHole || body == Body::kRoom; }
+
+  // Rooms against all else, and courtyards against their own building and its other courtyards.
+  // What else a courtyard meets, it meets as a part of its building.
+  bool is_crossing_candidate(ObstaclePair pair) const {
+    const Body first = bodies_[pair.first], second = bodies_[pair.second];
+    if (first == Body::kNone || second == Body::kNone) return false;
+    if (first == Body::kRoom || second == Body::kRoom) {
+      return first != Body::kHole && second != Body::kHole;
+    }
+    const auto& nesting = context_.nesting();
+    if (first == Body::kHole && second == Body::kHole) {
+      return nesting.holder(pair.first) == nesting.holder(pair.second);
+    }
+    return (first == Body::kHole && nesting.holder(pair.first) == pair.second) ||
+           (second == Body::kHole && nesting.holder(pair.second) == pair.first);
+  }
+
+  void check_solid(ObstaclePair pair) {
+    const auto [first, second] = pair;
+    if (bodies_[first] == Body::kSolid) {
+      if (const auto reach = reach_into(region(first), second)) {
+        return report(second, first, *reach);
+      }
+    }
+    if (bodies_[second] != Body::kSolid) return;
+    if (const auto reach = reach_into(region(second), first)) {
+      return report_reached(second, first, *reach);
+    }
+    if (bodies_[first] == Body::kSolid && is_same_ground(first, second)) {
+      sink_.obstacle(FindingCode::G108, second, ObstacleField::kKeyword,
+                     name_of(obstacles_[second]) + " covers the same ground as " +
+                         name_of(obstacles_[first]) + "; remove one of them");
+    }
+  }
+
+  // A hollow ring and an obstacle that lies neither inside nor outside of it as a whole.
+  void check_crossing(ObstaclePair pair) {
+    const bool first_is_ring = is_hollow(bodies_[pair.first]);
+    const std::uint32_t ring = first_is_ring ? pair.first : pair.second;
+    const std::uint32_t other = first_is_ring ? pair.second : pair.first;
+    if (const auto reach = reach_across(ring, other)) {
+      if (other == pair.second) return report(other, ring, *reach);
+      report_reached(ring, other, *reach);
+    }
+  }
+
+  const Region& region(std::uint32_t solid) {
+    const auto found = regions_.find(solid);
+    if (found != regions_.end()) return found->second;
+    RegionOutlines outlines{solid};
+    for (const auto held : context_.nesting().held(solid)) {
+      if (bodies_[held] == Body::kHole) outlines.push_back(held);
+    }
+    return regions_.emplace(solid, Region(context_, std::move(outlines))).first->second;
+  }
+
+  static Box box_of(const Segment& segment) {
+    Box box = kEmptyBox;
+    box.add(segment.a);
+    box.add(segment.b);
+    return box;
+  }
+
+  // Calls `visit(segment, pieces)` for each blocking segment of an obstacle that comes near `box`.
+  template <class VisitEdges, class Visit>
+  void for_each_cut_segment(std::uint32_t obstacle, const Box& box, const VisitEdges& edges,
+                            const Visit& visit) const {
+    std::vector<std::uint32_t> near;
+    context_.edges(obstacle).visit(box, [&](std::uint32_t k) { near.push_back(k); });
+    std::sort(near.begin(), near.end());
+    std::vector<Cut> cuts;
+    for (const auto k : near) {
+      const Segment& segment = obstacles_[obstacle].segments[k];
+      if (!(segment.height_m > 0.0)) continue;
+      cuts.clear();
+      edges(box_of(segment), [&](std::uint32_t other, std::uint32_t e) {
+        add_cuts(segment, obstacles_[other].segments[e], other, e, cuts);
+      });
+      if (!visit(k, pieces_of(segment, cuts))) return;
+    }
+  }
+
+  // The first piece of the obstacle that lies in the solid, deeper than touching.
+  std::optional<Reach> reach_into(const Region& region, std::uint32_t obstacle) const {
+    std::optional<Reach> reach;
+    const auto edges = [&](const Box& box, const auto& visit) { region.visit_edges(box, visit); };
+    for_each_cut_segment(obstacle, context_.outlines()[region.outer()].box, edges,
+                         [&](std::uint32_t k, const std::vector<Piece>& pieces) {
+                           for (const Piece& piece : pieces) {
+                             if (is_too_short(piece) || !region.holds(piece.middle(), depth_m_))
+                               continue;
+                             reach = Reach{k, piece};
+                             return false;
+                           }
+                           return true;
+                         });
+    return reach;
+  }
+
+  // A piece between two points of an outline lies no deeper than half its length.
+  bool is_too_short(const Piece& piece) const {
+    return distance(piece.from, piece.to) <= 2.0 * depth_m_;
+  }
+
+  // The first piece of the obstacle on the other side of the ring than a piece before it.
+  std::optional<Reach> reach_across(std::uint32_t ring, std::uint32_t obstacle) const {
+    const EdgeFinder& outline = context_.edges(ring);
+    const auto edges = [&](const Box& box, const auto& visit) {
+      outline.visit(box, [&](std::uint32_t e) { visit(ring, e); });
+    };
+    std::optional<PointSide> side_before;
+    std::optional<Point> end_before;
+    std::optional<Reach> reach;
+    const auto crosses = [&](std::uint32_t k, const Piece& piece) {
+      if (end_before != piece.from) side_before.reset();
+      end_before = piece.to;
+      if (is_too_short(piece) || outline.distance_m(piece.middle()) <= depth_m_) return false;
+      const PointSide side = outline.side(piece.middle());
+      if (side_before && *side_before != side) reach = Reach{k, piece};
+      side_before = side;
+      return reach.has_value();
+    };
+    for_each_cut_segment(obstacle, context_.outlines()[ring].box, edges,
+                         [&](std::uint32_t k, const std::vector<Piece>& pieces) {
+                           for (const Piece& piece : pieces) {
+                             if (crosses(k, piece)) return false;
+                           }
+                           return true;
+                         });
+    return reach;
+  }
+
+  bool is_same_ground(std::uint32_t first, std::uint32_t second) {
+    return region(first).holds(point_inside(obstacles_[second]), depth_m_) &&
+           region(second).holds(point_inside(obstacles_[first]), depth_m_);
+  }
+
+  // The later obstacle, which is blamed, reaches into the earlier one.
+  void report(std::uint32_t blamed, std::uint32_t other, const Reach& reach) {
+    const std::string subject = name_of(obstacles_[blamed], reach.segment);
+    const auto& cut = reach.piece.begins_at;
+    const std::string message = cut ? subject + " crosses " +
+                                          name_of(obstacles_[cut->obstacle], cut->edge) + " at " +
+                                          place_text(reach.piece.from)
+                                    : subject + " lies inside of " + name_of(obstacles_[other]) +
+                                          " at " + place_text(reach.piece.from);
+    sink_.segment(FindingCode::G108, blamed, reach.segment, SegmentField::kAx, reach.piece.from,
+                  message + std::string(kAdvice));
+  }
+
+  // The earlier obstacle reaches into the later one, which is blamed.
+  void report_reached(std::uint32_t blamed, std::uint32_t other, const Reach& reach) {
+    const std::string subject = name_of(obstacles_[other], reach.segment);
+    const auto& cut = reach.piece.begins_at ? reach.piece.begins_at : reach.piece.ends_at;
+    if (!cut) {
+      sink_.obstacle(FindingCode::G108, blamed, ObstacleField::kKeyword,
+                     name_of(obstacles_[blamed]) + " lies around " + subject + " at " +
+                         place_text(reach.piece.from) + std::string(kAdvice));
+      return;
+    }
+    sink_.segment(FindingCode::G108, cut->obstacle, cut->edge, SegmentField::kAx, cut->at,
+                  name_of(obstacles_[cut->obstacle], cut->edge) + " crosses " + subject + " at " +
+                      place_text(cut->at) + std::string(kAdvice));
+  }
+
+  static constexpr std::string_view kAdvice = "; move one of them, or make one obstacle of both";
+
+  const CheckContext& context_;
+  const std::vector<Obstacle>& obstacles_;
+  double depth_m_;
+  std::vector<Body> bodies_;
+  FindingSink& sink_;
+  std::map<std::uint32_t, Region> regions_;
+};
+
+}  // namespace
+
+void check_obstacles_overlap(const CheckContext& context, FindingSink& sink) {
+  Overlaps overlaps(context, sink);
+  for (const auto pair : context.meeting_pairs()) overlaps.check(pair);
+}
+
+}  // namespace mapwright::validators

@@ -1,0 +1,39 @@
+#include "validators/check.hpp"
+
+namespace mapwright::validators {
+
+void FindingSink::border(FindingCode code, std::string message) {
+  Finding finding = make_finding(code, std::move(message));
+  const Border& border = document_.map.border;
+  finding.place = document_.index.border_place(document_.text);
+  finding.at = Point{border.left, border.top};
+  findings_.push_back(std::move(finding));
+}
+
+void FindingSink::obstacle(FindingCode code, std::size_t obstacle, ObstacleField field,
+                           std::string message) {
+  const Obstacle& subject = document_.map.obstacles[obstacle];
+  Finding finding = make_finding(code, std::move(message));
+  finding.place = document_.index.place(document_.text, obstacle, field);
+  if (!subject.segments.empty()) finding.at = subject.segments.front().a;
+  finding.obstacle = subject.id;
+  findings_.push_back(std::move(finding));
+}
+
+void FindingSink::segment(FindingCode code, std::size_t obstacle, std::size_t segment,
+                          SegmentField field, Point at, std::string message) {
+  Finding finding = make_finding(code, std::move(message));
+  finding.place = document_.index.place(document_.text, obstacle, segment, field);
+  finding.at = at;
+  finding.obstacle = document_.map.obstacles[obstacle].id;
+  finding.segment = segment + 1;
+  findings_.push_back(std::move(finding));
+}
+
+void FindingSink::segment(FindingCode code, std::size_t obstacle, std::size_t segment,
+                          std::string message) {
+  const Point at = document_.map.obstacles[obstacle].segments[segment].a;
+  this->segment(code, obstacle, segment, SegmentField::kAx, at, std::move(message));
+}
+
+}  // namespace mapwright::validators

@@ -1,0 +1,69 @@
+#include "validators/report/json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "validators/report/report.hpp"
+
+namespace mapwright::validators {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+// Paths and messages may hold bytes that are not UTF-8; JSON may not.
+std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+class JsonReport : public ReportWriter {
+ public:
+  JsonReport(std::ostream& out, const ReportOptions& options) : out_(out) {
+    out_ << "{\n  \"schema\": " << dumped("mapwright." + std::string(options.verb) + "/1")
+         << ",\n  \"maps\": [";
+  }
+
+  void map(const MapReport& report) override {
+    out_ << (first_ ? "\n" : ",\n") << "    {\n      \"path\": " << dumped(std::string(report.path))
+         << ",\n      \"verdict\": " << (report.passes() ? "\"pass\"" : "\"fail\"");
+    if (report.unreadable) out_ << ",\n      \"unreadable\": " << dumped(*report.unreadable);
+    out_ << ",\n      \"findings\": [";
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+      out_ << (i == 0 ? "\n        " : ",\n        ") << finding_json(report.findings[i]);
+    }
+    out_ << (report.findings.empty() ? "]" : "\n      ]") << "\n    }";
+    first_ = false;
+  }
+
+  void finish() override { out_ << (first_ ? "]" : "\n  ]") << "\n}\n"; }
+
+ private:
+  std::ostream& out_;
+  bool first_ = true;
+};
+
+}  // namespace
+
+std::string finding_json(const Finding& finding) {
+  Json json;
+  json["code"] = finding_type(finding.code).id;
+  json["severity"] = to_string(finding.severity);
+  json["message"] = finding.message;
+  json["line"] = finding.place ? Json(finding.place->line) : Json(nullptr);
+  json["column"] = finding.place ? Json(finding.place->column) : Json(nullptr);
+  json["x"] = finding.at ? Json(finding.at->x) : Json(nullptr);
+  json["y"] = finding.at ? Json(finding.at->y) : Json(nullptr);
+  json["obstacle"] = or_null(finding.obstacle);
+  json["segment"] = or_null(finding.segment);
+  return dumped(json);
+}
+
+std::unique_ptr<ReportWriter> make_json_report(std::ostream& out, const ReportOptions& options) {
+  return std::make_unique<JsonReport>(out, options);
+}
+
+}  // namespace mapwright::validators

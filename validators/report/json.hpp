@@ -1,0 +1,14 @@
+// Findings as JSON.
+#pragma once
+
+#include <string>
+
+#include "mapcore/finding.hpp"
+
+namespace mapwright::validators {
+
+/// The object that docs/cli.md describes, on one line: code, severity, message, line, column, x, y,
+/// obstacle, segment; what is not known is null.
+std::string finding_json(const Finding& finding);
+
+}  // namespace mapwright::validators

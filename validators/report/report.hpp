@@ -1,0 +1,52 @@
+// Findings of many maps, written in one of several formats.
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mapcore/finding.hpp"
+
+namespace mapwright::validators {
+
+/// What validation said of one map.
+struct MapReport {
+  std::string_view path;  ///< as messages name it
+  std::string_view text;  ///< of the map, for excerpts; may be empty
+  std::vector<Finding> findings;
+  std::optional<std::string> unreadable;  ///< why the map could not be read at all
+
+  /// True if the map could be read and nothing of severity error was found.
+  bool passes() const { return !unreadable && !has_errors(findings); }
+};
+
+struct ReportOptions {
+  std::string_view verb = "validate";  ///< names the schema "mapwright.<verb>/1"
+  bool colour = false;                 ///< text on a terminal that shows colours
+};
+
+/// Writes a report map by map, so that only one of them need be in memory.
+class ReportWriter {
+ public:
+  virtual ~ReportWriter() = default;
+  virtual void map(const MapReport& report) = 0;
+  /// Call once behind the last map.
+  virtual void finish() = 0;
+};
+
+/// A format: one file of this folder and one line in report_formats.def.
+struct ReportFormat {
+  std::string_view name;
+  std::string_view summary;
+  std::unique_ptr<ReportWriter> (*make)(std::ostream& out, const ReportOptions& options);
+};
+
+const std::vector<ReportFormat>& report_formats();
+
+/// The format of that name; null where there is none.
+const ReportFormat* find_report_format(std::string_view name);
+
+}  // namespace mapwright::validators

@@ -1,0 +1,36 @@
+// The lines of a map's text, by number.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "mapcore/finding.hpp"
+
+namespace mapwright::validators {
+
+/// Gives lines in any order; going forward costs what lies between, so sorted findings cost one
+/// pass.
+class SourceLines {
+ public:
+  explicit SourceLines(std::string_view text) : text_(text) {}
+
+  /// Line `number` (from 1) without its end; empty beyond the text.
+  std::string_view line(std::size_t number);
+
+ private:
+  std::string_view text_;
+  std::size_t number_ = 1;
+  std::size_t offset_ = 0;
+};
+
+/// A line of text and a caret under one of its columns, indented by two blanks:
+///
+///   4.53;12.10;7.29;12.10;5;1;wall;#
+///        ^
+///
+/// Of a long line the part around the column. Control characters and tabs become blanks, so that
+/// the caret stands right. Empty for an empty line.
+std::string excerpt(std::string_view line, std::size_t column);
+
+}  // namespace mapwright::validators

@@ -1,0 +1,33 @@
+// The loops that the checks of stairs and of ramps share.
+#pragma once
+
+#include "validators/check.hpp"
+#include "validators/shape/flight.hpp"
+
+namespace mapwright::validators {
+
+/// Calls `check(obstacle, position, flight)` for each obstacle of shape type 5 that has segments,
+/// all of which could be read.
+template <class CheckStairs>
+void for_each_stairs(const CheckContext& context, const CheckStairs& check) {
+  const auto& obstacles = context.map().obstacles;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (obstacles[i].shape_type != ShapeType::kStairs || obstacles[i].segments.empty() ||
+        !context.is_complete(i)) {
+      continue;
+    }
+    check(obstacles[i], i, flight_of(obstacles[i]));
+  }
+}
+
+/// Calls `check(obstacle, position)` for each obstacle of shape type 6 that has segments.
+template <class CheckRamp>
+void for_each_ramp(const CheckContext& context, const CheckRamp& check) {
+  const auto& obstacles = context.map().obstacles;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (obstacles[i].shape_type != ShapeType::kRamp || obstacles[i].segments.empty()) continue;
+    check(obstacles[i], i);
+  }
+}
+
+}  // namespace mapwright::validators

@@ -1,0 +1,24 @@
+// How findings name things and write numbers.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "mapcore/map.hpp"
+
+namespace mapwright::validators {
+
+/// "obstacle 26".
+std::string name_of(const Obstacle& obstacle);
+
+/// "segment 3 of obstacle 26"; `segment` counts from 0.
+std::string name_of(const Obstacle& obstacle, std::size_t segment);
+
+/// Metres with up to three decimals, no trailing zeros; two significant digits for what is smaller
+/// than a millimetre.
+std::string metres(double value);
+
+/// "(34.65, 41.02)".
+std::string place_text(Point p);
+
+}  // namespace mapwright::validators
