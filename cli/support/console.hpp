@@ -16,7 +16,7 @@ class Console {
   Console(std::ostream& out, std::ostream& err, bool err_is_terminal)
       : out_(out), err_(err), err_is_terminal_(err_is_terminal) {}
 
-  std::ostream& out() { return out_; }
+  std::ostream& out() const { return out_; }
   void set_verbosity(Verbosity verbosity) { verbosity_ = verbosity; }
 
   /// "mapwright: error: …"; always shown.

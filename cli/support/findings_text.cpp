@@ -1,5 +1,7 @@
 #include "cli/support/findings_text.hpp"
 
+#include "validators/report/text.hpp"
+
 namespace mapwright::cli {
 
 std::string_view display_path(std::string_view path) {
@@ -7,15 +9,7 @@ std::string_view display_path(std::string_view path) {
 }
 
 std::string finding_line(std::string_view path, const Finding& finding) {
-  std::string line(display_path(path));
-  if (finding.place) {
-    line += ':' + std::to_string(finding.place->line) + ':' + std::to_string(finding.place->column);
-  }
-  line += ": ";
-  line += to_string(finding.severity);
-  line += ": " + finding.message + " [";
-  line += finding_type(finding.code).id;
-  return line + ']';
+  return validators::finding_line(display_path(path), finding);
 }
 
 void write_findings(std::ostream& out, std::string_view path,

@@ -1,0 +1,205 @@
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "cli/support/error.hpp"
+#include "cli/support/files.hpp"
+#include "cli/support/findings_text.hpp"
+#include "cli/support/map_files.hpp"
+#include "cli/verb.hpp"
+#include "mapcore/georeference.hpp"
+#include "validators/check_pages.hpp"
+#include "validators/report/report.hpp"
+#include "validators/validator.hpp"
+
+namespace mapwright::cli {
+namespace {
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+using validators::MapReport;
+
+constexpr std::string_view kDescription =
+    R"(Reads maps and tells everything that is wrong with them: defects of the text, of shapes, of
+attributes, of stairs and ramps. Each finding has a code, a severity, line and column, and a place
+on the map. A map's georeference sidecar (MAP.georef.json), where there is one, is read too.
+
+The exit status is 1 if a finding of severity error was found, 3 if a map could not be read (the
+others are still reported), else 0. Warnings do not change it.
+
+Examples:
+  mapwright validate campus.txt
+  mapwright validate north.txt south.txt --format json -o findings.json
+  mapwright convert site.gpkg -o - | mapwright validate -
+  mapwright validate --explain G104
+  mapwright validate --list
+)";
+
+bool is_colour_terminal(const Console& console) {
+  return &console.out() == &std::cout && isatty(STDOUT_FILENO) == 1 &&
+         std::getenv("NO_COLOR") == nullptr;
+}
+
+// The finding about the sidecar of a map; nothing where there is none or all is well.
+std::optional<Finding> sidecar_finding(const std::string& map_path) {
+  if (map_path == "-") return std::nullopt;
+  const std::string path = sidecar_path(map_path);
+  std::error_code error;
+  if (!fs::exists(path, error)) return std::nullopt;
+  const auto georeference = parse_georeference(read_file(path));
+  if (georeference) return std::nullopt;
+  return make_finding(FindingCode::C101, path + ": " + georeference.error().message);
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// What the summary line and the exit status need to know of all maps.
+struct Totals {
+  std::size_t maps = 0, unreadable = 0, failed = 0, errors = 0, warnings = 0, notes = 0;
+
+  void add(const MapReport& report) {
+    ++maps;
+    unreadable += report.unreadable ? 1 : 0;
+    failed += !report.unreadable && !report.passes() ? 1 : 0;
+    for (const auto& finding : report.findings) {
+      switch (finding.severity) {
+        case Severity::kError:
+          ++errors;
+          break;
+        case Severity::kWarning:
+          ++warnings;
+          break;
+        case Severity::kNote:
+          ++notes;
+          break;
+      }
+    }
+  }
+
+  std::string summary() const {
+    std::string text = counted(maps, "map") + ": ";
+    text += std::to_string(maps - failed - unreadable) + " fit, " + std::to_string(failed) + " not";
+    if (unreadable > 0) text += ", " + std::to_string(unreadable) + " unreadable";
+    text += "; " + counted(errors, "error") + ", " + counted(warnings, "warning");
+    if (notes > 0) text += ", " + counted(notes, "note");
+    return text;
+  }
+
+  ExitStatus status() const {
+    if (unreadable > 0) return ExitStatus::kInput;
+    return errors > 0 ? ExitStatus::kNegative : ExitStatus::kSuccess;
+  }
+};
+
+void print_catalogue(std::ostream& out) {
+  for (const auto& type : finding_catalogue()) {
+    out << type.id << "  " << std::left << std::setw(8) << to_string(type.severity) << "  "
+        << std::setw(26) << type.name << "  " << type.summary << '\n';
+  }
+}
+
+std::string format_names() {
+  std::string names;
+  for (const auto& format : validators::report_formats()) {
+    names += (names.empty() ? "" : ", ") + std::string(format.name);
+  }
+  return names;
+}
+
+class Validate : public Verb {
+ public:
+  std::string_view synopsis() const override { return "MAP... [OPTIONS]"; }
+  std::string_view description() const override { return kDescription; }
+
+  void declare(po::options_description& options,
+               po::positional_options_description& positionals) override {
+    auto add = options.add_options();
+    add("map", po::value(&paths_)->composing(), "maps to validate; - reads standard input");
+    add("format", po::value(&format_name_)->default_value("text"),
+        ("how to write the findings: " + format_names()).c_str());
+    add("output,o", po::value(&output_)->default_value("-"),
+        "where to write them; - is standard output");
+    add("list", po::bool_switch(&list_),
+        "list all findings there are: code, severity, name, what it means");
+    add("explain", po::value(&explain_),
+        "print the page of a code: what it is, why it hurts a robot, how to fix it");
+    positionals.add("map", -1);
+  }
+
+  void configure(const po::variables_map&) override {
+    if (!explain_.empty()) {
+      explained_ = finding_code(explain_);
+      if (!explained_) fail_usage("--explain: there is no finding '" + explain_ + "'; see --list");
+    }
+    format_ = validators::find_report_format(format_name_);
+    if (format_ == nullptr) {
+      fail_usage("--format: '" + format_name_ + "' is none of " + format_names());
+    }
+    if (paths_.empty() && !list_ && !explained_) fail_usage("name a map to validate");
+  }
+
+  ExitStatus run(Console& console) override {
+    if (list_) print_catalogue(console.out());
+    if (explained_) console.out() << validators::check_page(*explained_);
+    if (paths_.empty()) return ExitStatus::kSuccess;
+    if (output_ == "-") {
+      write_report(console.out(), is_colour_terminal(console), console);
+    } else {
+      write_file(output_, [&](std::ostream& out) { write_report(out, false, console); });
+    }
+    console.note(totals_.summary());
+    return totals_.status();
+  }
+
+ private:
+  void write_report(std::ostream& out, bool colour, Console& console) {
+    const auto writer = format_->make(out, {"validate", colour});
+    const auto progress = console.progress("validating");
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      report_map(paths_[i], *writer, console);
+      if (paths_.size() > 1) progress(i + 1, paths_.size());
+    }
+    writer->finish();
+  }
+
+  void report_map(const std::string& path, validators::ReportWriter& writer, Console& console) {
+    MapReport report{display_path(path), {}, {}, {}};
+    MapDocument document;
+    try {
+      document = read_map_file(path);
+      report.text = document.text;
+      report.findings = validators::validate(document);
+      if (auto finding = sidecar_finding(path)) report.findings.push_back(std::move(*finding));
+    } catch (const Error& error) {
+      if (error.status() != ExitStatus::kInput) throw;
+      console.error(error.what());
+      report.unreadable = error.what();
+    }
+    writer.map(report);
+    totals_.add(report);
+  }
+
+  std::vector<std::string> paths_;
+  std::string format_name_;
+  std::string output_;
+  std::string explain_;
+  bool list_ = false;
+  std::optional<FindingCode> explained_;
+  const validators::ReportFormat* format_ = nullptr;
+  Totals totals_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_validate() {
+  return std::make_unique<Validate>();
+}
+
+}  // namespace mapwright::cli
