@@ -1,5 +1,4 @@
-// What doubles cannot decide: the slow, exact answers behind the filters. Internal to
-// mapcore/geometry.
+// Private to this folder: What doubles cannot decide: the slow, exact answers behind the filters.
 #pragma once
 
 #include <span>

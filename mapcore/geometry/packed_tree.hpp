@@ -1,4 +1,4 @@
-// A packed R-tree: boxes found by place. Internal to mapcore/geometry.
+// Private to this folder: A packed R-tree: boxes found by place.
 #pragma once
 
 #include <algorithm>

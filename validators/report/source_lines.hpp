@@ -1,4 +1,4 @@
-// The lines of a map's text, by number.
+// Private to this folder: The lines of a map's text, by number.
 #pragma once
 
 #include <cstddef>
