@@ -1,0 +1,125 @@
+// Planning that proves its answer.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "mapcore/map.hpp"
+#include "mapcore/result.hpp"
+#include "navcore/free_space.hpp"
+
+namespace mapwright::navcore {
+
+/// The robot, and how it meets the map.
+struct ExactOptions {
+  double radius_m = 0.0;  ///< of the disc; 0 for a point
+  RampPolicy ramps = RampPolicy::kFree;
+  int tangents_a_quadrant = 2;  ///< sides for a quarter circle around corners, 1 to 64
+};
+
+/// Whether the robot can stand at a place.
+enum class PlaceState {
+  kFree,
+  kNotFinite,      ///< a coordinate is no number
+  kOutsideBorder,  ///< beyond the border
+  kBlocked,        ///< inside of a solid, or nearer to an obstacle or the border than the radius
+};
+
+/// "inside of an obstacle or too near to one", for messages.
+std::string_view to_string(PlaceState state);
+
+enum class Reachability {
+  kReachable,
+  kUnreachable,
+  /// Connected or not within the error bound of the offset: a passage is within a few millimetres
+  /// as wide as the robot.
+  kUndecided,
+};
+
+/// A straight part of a barrier (metres, map frame).
+struct BarrierSide {
+  Point from, to;
+  bool is_gap = false;  ///< across a gap narrower than the robot; otherwise along an obstacle
+  /// Positions in Map::obstacles of what it begins and ends at; nothing for the border.
+  std::optional<std::uint32_t> obstacle_from, obstacle_to;
+};
+
+struct ExactAnswer {
+  PlaceState start = PlaceState::kFree, goal = PlaceState::kFree;
+  Reachability reachability = Reachability::kUnreachable;
+
+  /// The Euclidean shortest path, start first; empty where there is none. For a disc: the shortest
+  /// within the offset free space (docs/exact-planning.md states its bound).
+  std::vector<Point> path;
+  double length_m = 0.0;
+
+  /// Where both places are free and not connected: a closed polygon that the robot cannot cross and
+  /// that separates them, checked with integers (exact/barrier.hpp). Empty for a point robot where
+  /// both places lie on outlines.
+  std::vector<BarrierSide> barrier;
+};
+
+/// A connected part of the free space.
+struct FreeComponent {
+  double area_m2 = 0.0;
+  Point somewhere;  ///< a point of it
+};
+
+/// Memory of a search, kept between queries; one per thread.
+class ExactWorkspace {
+ public:
+  ExactWorkspace();
+  ExactWorkspace(ExactWorkspace&&) noexcept;
+  ExactWorkspace& operator=(ExactWorkspace&&) noexcept;
+  ~ExactWorkspace();
+
+ private:
+  friend class ExactPlanner;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Shortest paths and proofs of absence for one map and one robot. Everything is computed on a grid
+/// of millimetres with exact integer predicates; docs/exact-planning.md says what follows for maps
+/// that are not on that grid. Immutable once built; safe to use from many threads.
+///
+/// For a point robot free space is closed: a path may touch outlines and run along them, but passes
+/// no wall, also not at a point where two of them touch.
+class ExactPlanner {
+ public:
+  /// Failures: a border without area or with numbers that are not finite, an obstacle more than
+  /// 500 km from the border's centre, a radius that is negative or no number.
+  static Result<ExactPlanner> build(const Map& map, const ExactOptions& options);
+  ExactPlanner(ExactPlanner&&) noexcept;
+  ExactPlanner& operator=(ExactPlanner&&) noexcept;
+  ~ExactPlanner();
+
+  PlaceState state(Point p) const;
+  ExactAnswer plan(Point start, Point goal) const;
+  ExactAnswer plan(Point start, Point goal, ExactWorkspace& workspace) const;
+
+  /// Connected parts of the robot's free space (of its centre), largest first.
+  std::vector<FreeComponent> components() const;
+  /// Number of the component that holds p, as in components(); nothing where p is not free.
+  std::optional<std::size_t> component_at(Point p) const;
+
+  /// How far a wall may have been moved by rounding to the grid and cutting walls where they cross,
+  /// metres; 0 for maps written in millimetres whose walls meet at such points.
+  double snapping_error_m() const;
+
+  /// What the disc's free space may lack beside the true one, metres: `at_corners_m` around convex
+  /// corners, `elsewhere_m` along walls. It never has too much. 0 for a point.
+  struct OffsetError {
+    double at_corners_m = 0.0, elsewhere_m = 0.0;
+  };
+  OffsetError offset_error() const;
+
+ private:
+  struct Impl;
+  explicit ExactPlanner(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mapwright::navcore
