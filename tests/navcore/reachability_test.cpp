@@ -1,4 +1,4 @@
-#include "navcore/reachability/reachability_map.hpp"
+#include "navcore/reachability/reachability.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,9 +30,9 @@ Map rooms_with_door(double width_m) {
   return map10({hollow(1, 0, 0, 10, 10), box(2, 4.9, 0, 5.1, low), box(3, 4.9, high, 5.1, 10)});
 }
 
-TEST(ReachabilityMap, EmptyMapIsOneArea) {
+TEST(Reachability, EmptyMapIsOneArea) {
   const FreeSpace space(map10({}));
-  const ReachabilityMap reach(space, with_radius(0.5));
+  const Reachability reach(space, with_radius(0.5));
   ASSERT_EQ(reach.areas().size(), 1U);
   EXPECT_NEAR(reach.areas()[0].area_m2, 81.0, 3.0);
   EXPECT_TRUE(reach.areas()[0].is_connected);
@@ -41,69 +41,69 @@ TEST(ReachabilityMap, EmptyMapIsOneArea) {
   EXPECT_EQ(reach.connected({0.4, 1}, {9, 9}), Connection::kNo);  // too near to the border
 }
 
-TEST(ReachabilityMap, DoorIsWideEnoughOrNotToTheCentimetre) {
+TEST(Reachability, DoorIsWideEnoughOrNotToTheCentimetre) {
   const FreeSpace space(rooms_with_door(0.8));
   for (const double radius : {0.1, 0.3, 0.39, 0.395}) {
-    const ReachabilityMap reach(space, with_radius(radius));
+    const Reachability reach(space, with_radius(radius));
     EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kYes) << radius;
     ASSERT_EQ(reach.areas().size(), 1U) << radius;
     EXPECT_TRUE(reach.areas()[0].is_connected) << radius;
   }
   for (const double radius : {0.405, 0.41, 0.6, 1.5}) {
-    const ReachabilityMap reach(space, with_radius(radius));
+    const Reachability reach(space, with_radius(radius));
     EXPECT_EQ(reach.connected({2, 2}, {8, 2}), Connection::kNo) << radius;
     ASSERT_EQ(reach.areas().size(), 2U) << radius;
     EXPECT_NEAR(reach.largest_fraction(), 0.5, 0.02) << radius;
   }
 }
 
-TEST(ReachabilityMap, DoorAsWideAsTheRobotIsLeftUndecided) {
+TEST(Reachability, DoorAsWideAsTheRobotIsLeftUndecided) {
   const FreeSpace space(rooms_with_door(0.8));
-  const ReachabilityMap reach(space, with_radius(0.4));
+  const Reachability reach(space, with_radius(0.4));
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kUndecided);
   ASSERT_EQ(reach.areas().size(), 1U);
   EXPECT_FALSE(reach.areas()[0].is_connected);
 }
 
-TEST(ReachabilityMap, CoarseCellsAreSplitWhereADoorNeedsIt) {
+TEST(Reachability, CoarseCellsAreSplitWhereADoorNeedsIt) {
   const FreeSpace space(rooms_with_door(0.8));
   ReachabilityOptions options = with_radius(0.39);
   options.resolution_m = 0.5;
-  EXPECT_EQ(ReachabilityMap(space, options).connected({1, 1}, {9, 1}), Connection::kYes);
+  EXPECT_EQ(Reachability(space, options).connected({1, 1}, {9, 1}), Connection::kYes);
   options.radius_m = 0.41;
-  EXPECT_EQ(ReachabilityMap(space, options).connected({1, 1}, {9, 1}), Connection::kNo);
+  EXPECT_EQ(Reachability(space, options).connected({1, 1}, {9, 1}), Connection::kNo);
 }
 
-TEST(ReachabilityMap, FenceSeparatesARobotWithARadius) {
+TEST(Reachability, FenceSeparatesARobotWithARadius) {
   const FreeSpace space(map10({wall(1, {{5, 0}, {5, 10}})}));
-  const ReachabilityMap reach(space, with_radius(0.1));
+  const Reachability reach(space, with_radius(0.1));
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kNo);
   EXPECT_EQ(reach.areas().size(), 2U);
 }
 
-TEST(ReachabilityMap, FenceIsNeverProvedToStopAPointRobot) {
+TEST(Reachability, FenceIsNeverProvedToStopAPointRobot) {
   const FreeSpace space(map10({wall(1, {{5, 0}, {5, 10}})}));
-  const ReachabilityMap reach(space, with_radius(0.0));
+  const Reachability reach(space, with_radius(0.0));
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kUndecided);
   EXPECT_EQ(reach.connected({1, 1}, {1, 9}), Connection::kYes);
 }
 
-TEST(ReachabilityMap, SolidWallStopsAPointRobot) {
+TEST(Reachability, SolidWallStopsAPointRobot) {
   const FreeSpace space(map10({box(1, 4.5, -1, 5.5, 11)}));
-  EXPECT_EQ(ReachabilityMap(space, with_radius(0.0)).connected({1, 1}, {9, 1}), Connection::kNo);
+  EXPECT_EQ(Reachability(space, with_radius(0.0)).connected({1, 1}, {9, 1}), Connection::kNo);
 }
 
-TEST(ReachabilityMap, CrossingAndOverlappingObstaclesSeparateToo) {
+TEST(Reachability, CrossingAndOverlappingObstaclesSeparateToo) {
   const FreeSpace space(map10({wall(1, {{0, 4}, {6, 6}}), wall(2, {{4, 6}, {8, 3}}),
                                box(3, 7, 2, 9, 4), box(4, 8.5, 3, 11, 5)}));
-  const ReachabilityMap reach(space, with_radius(0.2));
+  const Reachability reach(space, with_radius(0.2));
   EXPECT_EQ(reach.connected({1, 1}, {1, 9}), Connection::kNo);
   EXPECT_EQ(reach.connected({1, 1}, {9.5, 1}), Connection::kYes);
 }
 
-TEST(ReachabilityMap, NamesTheAreasWithSizeAndPlace) {
+TEST(Reachability, NamesTheAreasWithSizeAndPlace) {
   const FreeSpace space(map10({box(1, 1, 1, 5, 5), hollow(2, 2, 2, 4, 4, "inner_of=1")}));
-  const ReachabilityMap reach(space, with_radius(0.25));
+  const Reachability reach(space, with_radius(0.25));
   ASSERT_EQ(reach.areas().size(), 2U);
   const ReachableArea& court = reach.areas()[1];
   EXPECT_NEAR(court.area_m2, 1.5 * 1.5, 0.2);
@@ -116,29 +116,29 @@ TEST(ReachabilityMap, NamesTheAreasWithSizeAndPlace) {
   EXPECT_FALSE(reach.area_at({1.5, 1.5}).has_value());
 }
 
-TEST(ReachabilityMap, NowhereToStand) {
+TEST(Reachability, NowhereToStand) {
   const FreeSpace full(map10({box(1, -1, -1, 11, 11)}));
-  EXPECT_TRUE(ReachabilityMap(full, with_radius(0.0)).areas().empty());
+  EXPECT_TRUE(Reachability(full, with_radius(0.0)).areas().empty());
   const FreeSpace open(map10({}));
-  EXPECT_TRUE(ReachabilityMap(open, with_radius(5.1)).areas().empty());
+  EXPECT_TRUE(Reachability(open, with_radius(5.1)).areas().empty());
   const FreeSpace inverted(map({10, 0, 0, 10}, {}));
-  EXPECT_TRUE(ReachabilityMap(inverted, with_radius(0.1)).areas().empty());
-  EXPECT_EQ(ReachabilityMap(inverted, with_radius(0.1)).largest_fraction(), 0.0);
+  EXPECT_TRUE(Reachability(inverted, with_radius(0.1)).areas().empty());
+  EXPECT_EQ(Reachability(inverted, with_radius(0.1)).largest_fraction(), 0.0);
 }
 
-TEST(ReachabilityMap, MemoryLimitLeavesTheRestUndecided) {
+TEST(Reachability, MemoryLimitLeavesTheRestUndecided) {
   const FreeSpace space(rooms_with_door(0.8));
   ReachabilityOptions options = with_radius(0.39);
   options.max_cells = 400;
-  const ReachabilityMap reach(space, options);
+  const Reachability reach(space, options);
   EXPECT_LE(reach.cell_count(), 400U);
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kUndecided);
 }
 
-TEST(ReachabilityMap, OblongBorders) {
+TEST(Reachability, OblongBorders) {
   const FreeSpace space(map({0, 2, 200, 0}, {wall(1, {{100, 0}, {100, 0.9}})}));
-  EXPECT_EQ(ReachabilityMap(space, with_radius(0.5)).connected({1, 1}, {199, 1}), Connection::kYes);
-  EXPECT_EQ(ReachabilityMap(space, with_radius(0.6)).connected({1, 1}, {199, 1}), Connection::kNo);
+  EXPECT_EQ(Reachability(space, with_radius(0.5)).connected({1, 1}, {199, 1}), Connection::kYes);
+  EXPECT_EQ(Reachability(space, with_radius(0.6)).connected({1, 1}, {199, 1}), Connection::kNo);
 }
 
 // A cluttered map of overlapping boxes and walls at all angles.
@@ -198,7 +198,7 @@ class FloodFill {
   int count_ = 0;
 };
 
-TEST(ReachabilityMap, NeverContradictsFloodFill) {
+TEST(Reachability, NeverContradictsFloodFill) {
   int decided = 0;
   int no = 0;
   int all = 0;
@@ -206,7 +206,7 @@ TEST(ReachabilityMap, NeverContradictsFloodFill) {
     const FreeSpace space(clutter(seed));
     const double radius = 0.05 + 0.1 * static_cast<double>(seed % 5);
     const FloodFill flood(space, radius);
-    const ReachabilityMap reach(space, with_radius(radius));
+    const Reachability reach(space, with_radius(radius));
     Random random(seed);
     for (int k = 0; k < 60; ++k) {
       const int i = static_cast<int>(random.below(FloodFill::kSide * FloodFill::kSide));
@@ -226,10 +226,10 @@ TEST(ReachabilityMap, NeverContradictsFloodFill) {
   EXPECT_GT(decided, 0.98 * all);
 }
 
-TEST(ReachabilityMap, WhatIsConnectedIsPlannedAndWhatIsNotIsNot) {
+TEST(Reachability, WhatIsConnectedIsPlannedAndWhatIsNotIsNot) {
   for (std::uint64_t seed = 100; seed < 130; ++seed) {
     const FreeSpace space(clutter(seed));
-    const ReachabilityMap reach(space, with_radius(0.2));
+    const Reachability reach(space, with_radius(0.2));
     Random random(seed);
     const auto a = space.sample(random, 0.2);
     const auto b = space.sample(random, 0.2);

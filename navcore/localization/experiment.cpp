@@ -1,0 +1,164 @@
+#include "navcore/localization/experiment.hpp"
+
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "navcore/localization/roaming.hpp"
+#include "navcore/parallel.hpp"
+
+namespace mapwright::navcore {
+namespace {
+
+// Streams of one seed; the filter has a seed of its own.
+enum Stream : std::uint64_t { kRobot, kSensors, kStart };
+
+/// The simulated robot: where it is, what it feels and sees.
+class Robot {
+ public:
+  Robot(const FreeSpace& space, const RayCaster& caster, const ExperimentSettings& settings,
+        const Pose& start, std::uint64_t seed)
+      : space_(space),
+        caster_(caster),
+        settings_(settings),
+        pose_(start),
+        driver_(seed, kRobot),
+        sensors_(seed, kSensors) {}
+
+  const Pose& pose() const { return pose_; }
+
+  HeadingPrior compass() {
+    const double sigma_deg = settings_.compass_error_deg;
+    return {read_compass(pose_.theta, sigma_deg, sensors_), sigma_deg};
+  }
+
+  /// Drives on; what the encoders report.
+  OdometryStep drive() {
+    const OdometryStep step =
+        stroll(space_, pose_, settings_.step_m, settings_.robot_radius_m, driver_);
+    pose_ = moved(pose_, step);
+    return perturbed(step, settings_.filter.odometry, sensors_);
+  }
+
+  std::vector<double> scan() {
+    return perceive(caster_, pose_, settings_.laser, settings_.laser_noise, sensors_);
+  }
+
+ private:
+  const FreeSpace& space_;
+  const RayCaster& caster_;
+  const ExperimentSettings& settings_;
+  Pose pose_;
+  Random driver_;
+  Random sensors_;
+};
+
+bool start_filter(ParticleFilter& filter, const FreeSpace& space, Robot& robot,
+                  const ExperimentSettings& settings) {
+  if (settings.initial_pose) {
+    filter.start_at(*settings.initial_pose, settings.initial_sigma_m, settings.initial_sigma_deg);
+    return true;
+  }
+  std::optional<HeadingPrior> heading;
+  if (settings.heading_known) heading = robot.compass();
+  return filter.start_anywhere(space, heading);
+}
+
+bool believes_converged(const PoseEstimate& estimate) {
+  return estimate.mode_share >= kConvergedShare && estimate.mode_spread_m <= kRight_m;
+}
+
+IterationRecord record(std::size_t n, const UpdateReport& update, const ParticleFilter& filter,
+                       const Pose& truth) {
+  IterationRecord result;
+  result.n = n;
+  result.update = update;
+  result.estimate = filter.estimate();
+  result.true_pose = truth;
+  result.position_error_m = distance(result.estimate.pose.position(), truth.position());
+  result.heading_error =
+      Angle::from_radians(std::abs((result.estimate.pose.theta - truth.theta).wrapped().radians()));
+  result.believes = believes_converged(result.estimate);
+  return result;
+}
+
+}  // namespace
+
+bool IterationRecord::is_right() const {
+  return position_error_m <= kRight_m && heading_error.degrees() <= kRight_deg;
+}
+
+bool ExperimentRun::converged() const {
+  return !iterations.empty() && iterations.back().believes && iterations.back().is_right();
+}
+
+bool ExperimentRun::mistaken() const {
+  return !iterations.empty() && iterations.back().believes && !iterations.back().is_right();
+}
+
+std::optional<std::size_t> ExperimentRun::right_from() const {
+  std::optional<std::size_t> from;
+  for (const auto& iteration : iterations) {
+    if (!iteration.is_right()) {
+      from.reset();
+    } else if (!from) {
+      from = iteration.n;
+    }
+  }
+  return from;
+}
+
+Result<ExperimentRun> run_experiment(const FreeSpace& space, const RayCaster& caster,
+                                     const ScanWeigher& weigher, const ExperimentSettings& settings,
+                                     const Pose& start, std::uint64_t seed) {
+  if (!space.is_free(start.position())) {
+    return usage_failure("the robot cannot stand at (" + std::to_string(start.x) + ", " +
+                         std::to_string(start.y) + "): it is no free space");
+  }
+  Robot robot(space, caster, settings, start, seed);
+  ParticleFilter filter(weigher, settings.laser, settings.filter, seed);
+  if (!start_filter(filter, space, robot, settings)) {
+    return usage_failure("the map has no free space to search");
+  }
+  ExperimentRun run{seed, start, {}};
+  for (std::size_t n = 1; n <= settings.iterations; ++n) {
+    if (n > 1) filter.move(robot.drive());
+    std::vector<double> scan = robot.scan();
+    const UpdateReport update = filter.update(scan);
+    run.iterations.push_back(record(n, update, filter, robot.pose()));
+    if (!settings.keep_particles) continue;
+    run.iterations.back().scan = std::move(scan);
+    run.iterations.back().particles = filter.particles();
+  }
+  return run;
+}
+
+Result<std::vector<ExperimentRun>> run_trials(const FreeSpace& space, const RayCaster& caster,
+                                              const ScanWeigher& weigher,
+                                              const ExperimentSettings& settings,
+                                              std::size_t trials, std::uint64_t seed,
+                                              unsigned threads, const Progress& progress) {
+  std::vector<Result<ExperimentRun>> runs(trials);
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(trials, 1, threads, [&](std::size_t i, std::size_t) {
+    Random random(seed + i, kStart);
+    const auto place = sample_roaming_place(space, settings.robot_radius_m, random);
+    const Angle heading = Angle::from_radians(random.uniform(-std::numbers::pi, std::numbers::pi));
+    runs[i] = place ? run_experiment(space, caster, weigher, settings,
+                                     {place->x, place->y, heading}, seed + i)
+                    : usage_failure("the robot fits nowhere in the map's free space");
+    const std::lock_guard lock(mutex);
+    if (progress) progress(++done, trials);
+  });
+  std::vector<ExperimentRun> results;
+  for (auto& run : runs) {
+    if (!run) return tl::unexpected(run.error());
+    results.push_back(*std::move(run));
+  }
+  return results;
+}
+
+}  // namespace mapwright::navcore

@@ -1,0 +1,114 @@
+// Monte Carlo localization with a map, a laser, a compass and odometry.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "navcore/free_space.hpp"
+#include "navcore/localization/likelihood.hpp"
+#include "navcore/localization/particles.hpp"
+#include "navcore/localization/pose_estimate.hpp"
+#include "navcore/localization/scan_weigher.hpp"
+#include "navcore/sensors/odometry.hpp"
+
+namespace mapwright::navcore {
+
+/// How a filter searches and tracks. `report_settings` and `robust_settings` give sets that belong
+/// together; docs/localization.md says where the numbers come from.
+struct FilterSettings {
+  std::size_t particles = 6000;         ///< NP
+  std::size_t first_particles = 50000;  ///< scored against the first scan when lost; >= particles
+  LikelihoodModel likelihood;
+  double temper = 1.0;          ///< τ: exponent of each scan's factor, in (0, 1]
+  double resample_below = 0.5;  ///< resample when the effective share falls below this
+
+  /// The first scan of a lost robot is brought to bear in this many steps, from a blunt likelihood
+  /// to the one above: σm falls from `first_sigma_m`, the exponent rises from near 0.
+  std::size_t first_stages = 1;
+  double first_sigma_m = 0.5;
+
+  /// Metropolis sweeps after each resampling and at each stage: every particle tries that many
+  /// random moves and keeps those that the scan agrees with. Their lengths (standard deviations)
+  /// are spread evenly over the orders of magnitude between these limits.
+  std::size_t sweeps = 0;
+  double shortest_move_m = 0.04, longest_move_m = 0.8;
+  double smallest_turn_deg = 0.2, largest_turn_deg = 4.0;
+
+  OdometryNoise odometry;
+  unsigned threads = 1;  ///< 0: one a core
+};
+
+/// The report's filter: 6000 particles from the start, Eq. (4)-(6) to the letter.
+FilterSettings report_settings();
+
+/// The default: robust likelihood, dense and annealed first scan, resample-move.
+FilterSettings robust_settings();
+
+/// A compass reading and its standard deviation.
+struct HeadingPrior {
+  Angle heading;
+  double sigma_deg = 0.0;
+};
+
+/// What an update did.
+struct UpdateReport {
+  std::size_t particles = 0;         ///< that were scored
+  double effective_particles = 0.0;  ///< after weighing, before any resampling
+  bool contradicted = false;         ///< the scan was impossible at each particle; weights kept
+  bool resampled = false;
+};
+
+/// Particle filter (report, section 4.1, figure 4). The same settings, seed and inputs give the
+/// same particles for any number of threads: every particle draws from a stream of its own.
+class ParticleFilter {
+ public:
+  /// Keeps a reference to `weigher`, which must outlive the filter.
+  ParticleFilter(const ScanWeigher& weigher, const LaserModel& laser,
+                 const FilterSettings& settings, std::uint64_t seed);
+
+  /// Anywhere in free space, heading uniform or near the compass reading. False if there is no free
+  /// space. The filter keeps a reference to `space`: particles do not move into solids.
+  bool start_anywhere(const FreeSpace& space, const std::optional<HeadingPrior>& heading);
+
+  /// Near a pose: position tracking. Gaussian with these standard deviations.
+  void start_at(const Pose& pose, double sigma_m, double sigma_deg);
+
+  /// The robot moved; encoders say how.
+  void move(const OdometryStep& step);
+
+  /// The robot took a scan of laser.rays ranges.
+  UpdateReport update(std::span<const double> scan);
+
+  const ParticleSet& particles() const { return particles_; }
+  PoseEstimate estimate() const { return estimate_pose(particles_); }
+
+ private:
+  /// What the particles are to be distributed by: the prior times exp(temper × log factor).
+  struct Target {
+    LikelihoodModel likelihood;
+    double temper = 1.0;
+  };
+  Target target(std::size_t stage, std::size_t stages) const;
+  std::vector<double> log_values(const Target& target, std::span<const double> scan,
+                                 std::span<const Pose> poses) const;
+  void approach(const Target& target, std::span<const double> scan, UpdateReport& report);
+  void resample();
+  void sweep(const Target& target, std::span<const double> scan);
+  Pose proposal(const Pose& pose, Random& random) const;
+  Random stream(std::size_t particle) const;
+
+  const ScanWeigher* weigher_;
+  const FreeSpace* space_ = nullptr;
+  LaserModel laser_;
+  FilterSettings settings_;
+  std::uint64_t seed_;
+  std::uint64_t epoch_ = 0;  ///< counts the operations that draw random numbers
+  bool lost_ = false;        ///< started anywhere and not yet seen a scan
+  ParticleSet particles_;
+  std::vector<double> values_;  ///< per particle: logarithm of the current target's factor
+};
+
+}  // namespace mapwright::navcore
