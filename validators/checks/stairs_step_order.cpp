@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "validators/check.hpp"
 #include "validators/shape/each_of_kind.hpp"
 #include "validators/wording.hpp"
@@ -19,11 +22,25 @@ void check_closing_segments(const Obstacle& stairs, std::size_t i, const Flight&
   }
 }
 
+// Pieces of one riser (a bent one, or one of a fan of steps) that stand beside each other, not one
+// behind the other: seen along the first, the second covers less than half of the shorter one.
+bool stand_side_by_side(const Segment& p, const Segment& q) {
+  const Point along = p.b - p.a;
+  const double p_m = length(along);
+  if (p_m == 0.0) return false;
+  const double from = dot(q.a - p.a, along) / p_m;
+  const double to = dot(q.b - p.a, along) / p_m;
+  const double shared_m = std::min(p_m, std::max(from, to)) - std::max(0.0, std::min(from, to));
+  return shared_m < 0.5 * std::min(p_m, std::abs(to - from));
+}
+
 void check_heights(const Obstacle& stairs, std::size_t i, const Flight& flight, FindingSink& sink) {
   for (std::size_t n = 1; n < flight.steps.size(); ++n) {
     const std::size_t k = flight.steps[n];
-    const double before = stairs.segments[flight.steps[n - 1]].height_m;
+    const Segment& below = stairs.segments[flight.steps[n - 1]];
+    const double before = below.height_m;
     const double height = stairs.segments[k].height_m;
+    if (height == before && stand_side_by_side(below, stairs.segments[k])) continue;
     if (flight.rises ? height > before : height < before) continue;
     sink.segment(FindingCode::T101, i, k, SegmentField::kHeight, stairs.segments[k].a,
                  name_of(stairs, k) + " is " + metres(height) + " m high behind a step of " +
