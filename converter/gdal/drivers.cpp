@@ -1,0 +1,91 @@
+#include "converter/gdal/drivers.hpp"
+
+#include <cpl_conv.h>
+#include <cpl_http.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <mutex>
+
+namespace mapwright::converter {
+namespace {
+
+struct AllowedDriver {
+  const char* name;
+  void (*enlist)();
+};
+
+// One line a driver. KML comes twice: libkml reads more, the plain driver is there without it.
+constexpr AllowedDriver kAllowed[] = {
+    {"ESRI Shapefile", RegisterOGRShape},
+    {"GPKG", RegisterOGRGeoPackage},
+    {"GeoJSON", RegisterOGRGeoJSON},
+    {"FlatGeobuf", RegisterOGRFlatGeobuf},
+    {"LIBKML", RegisterOGRLIBKML},
+    {"KML", RegisterOGRKML},
+    {"GML", RegisterOGRGML},
+    {"DXF", RegisterOGRDXF},
+    {"OSM", RegisterOGROSM},
+    {"CSV", RegisterOGRCSV},
+    {"MapInfo File", RegisterOGRTAB},
+};
+
+CPLHTTPResult* refuse_http(const char* url, CSLConstList, GDALProgressFunc, void*,
+                           CPLHTTPFetchWriteFunc, void*, void*) {
+  CPLError(CE_Warning, CPLE_NotSupported, "the source asks for %s: no network is used", url);
+  return nullptr;
+}
+
+// A source is a stranger's file: it must not make the program fetch, write beside it, or open
+// others.
+void seal() {
+  CPLHTTPSetFetchCallback(refuse_http, nullptr);
+  CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "{none}");
+  CPLSetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "NO");
+  CPLSetConfigOption("OGR_ORGANIZE_POLYGONS", "DEFAULT");
+  CPLSetConfigOption("OGR_SQLITE_LOAD_EXTENSIONS", nullptr);
+  CPLSetConfigOption("OGR_GEOJSON_MAX_OBJ_SIZE", "2000");
+  CPLSetConfigOption("GML_SKIP_CORRUPTED_FEATURES", "NO");
+  CPLSetConfigOption("CPL_TMPDIR", std::filesystem::temp_directory_path().c_str());
+}
+
+void enlist_defaults() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    seal();
+    for (const auto& driver : kAllowed) driver.enlist();
+  });
+}
+
+void enlist_everything() {
+  static std::once_flag once;
+  std::call_once(once, [] { GDALAllRegister(); });
+}
+
+}  // namespace
+
+const std::vector<std::string>& default_drivers() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& driver : kAllowed) all.emplace_back(driver.name);
+    return all;
+  }();
+  return names;
+}
+
+Result<std::vector<std::string>> allow_drivers(const std::vector<std::string>& extra) {
+  enlist_defaults();
+  auto names = default_drivers();
+  for (const auto& name : extra) {
+    enlist_everything();
+    if (GetGDALDriverManager()->GetDriverByName(name.c_str()) == nullptr) {
+      return usage_failure("--allow-driver: GDAL has no driver '" + name +
+                           "'; 'ogrinfo --formats' lists them");
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace mapwright::converter

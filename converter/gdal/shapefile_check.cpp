@@ -1,0 +1,153 @@
+#include "converter/gdal/shapefile_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+
+namespace mapwright::converter {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kHeaderBytes = 100;  // of .shp and .shx (ESRI white paper, 1998)
+constexpr std::uint32_t kFileCode = 9994;
+constexpr std::uint64_t kDbfHeaderBytes = 32;
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// The file beside `shp` with that extension, in upper or lower case.
+std::optional<fs::path> sibling(const fs::path& shp, const std::string& extension) {
+  for (auto name : {extension, std::string()}) {
+    if (name.empty()) {
+      name = extension;
+      for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    fs::path path = shp;
+    path.replace_extension(name);
+    std::error_code error;
+    if (fs::is_regular_file(path, error)) return path;
+  }
+  return std::nullopt;
+}
+
+template <std::size_t N>
+std::optional<std::array<unsigned char, N>> first_bytes(const fs::path& path) {
+  std::array<unsigned char, N> bytes{};
+  std::ifstream in(path, std::ios::binary);
+  if (!in.read(reinterpret_cast<char*>(bytes.data()), N)) return std::nullopt;
+  return bytes;
+}
+
+std::uint32_t big_endian(const unsigned char* bytes) {
+  return (static_cast<std::uint32_t>(bytes[0]) << 24U) |
+         (static_cast<std::uint32_t>(bytes[1]) << 16U) |
+         (static_cast<std::uint32_t>(bytes[2]) << 8U) | bytes[3];
+}
+
+std::uint32_t little_endian(const unsigned char* bytes) {
+  return (static_cast<std::uint32_t>(bytes[3]) << 24U) |
+         (static_cast<std::uint32_t>(bytes[2]) << 16U) |
+         (static_cast<std::uint32_t>(bytes[1]) << 8U) | bytes[0];
+}
+
+std::uint64_t size_of(const fs::path& path) {
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  return error ? 0 : size;
+}
+
+// Checks the common header of .shp and .shx, and that the file is as long as it says.
+Result<std::uint64_t> declared_bytes(const fs::path& path) {
+  const auto header = first_bytes<kHeaderBytes>(path);
+  if (!header) {
+    return input_failure(path.string() + ": " + (size_of(path) == 0 ? "is empty" : "is cut short") +
+                         ": a shapefile's header has 100 bytes");
+  }
+  if (big_endian(header->data()) != kFileCode) {
+    return input_failure(path.string() + ": is no shapefile: its first bytes are not 9994");
+  }
+  const std::uint64_t bytes = 2ULL * big_endian(header->data() + 24);
+  if (size_of(path) < bytes) {
+    return input_failure(path.string() + ": is cut short: its header says " +
+                         std::to_string(bytes) + " bytes, the file has " +
+                         std::to_string(size_of(path)) + "; get a complete copy");
+  }
+  return bytes;
+}
+
+struct DbfSize {
+  std::uint64_t records = 0;
+  bool names_encoding = false;
+};
+
+Result<DbfSize> dbf_size(const fs::path& path) {
+  const auto header = first_bytes<kDbfHeaderBytes>(path);
+  if (!header) return input_failure(path.string() + ": is cut short: no complete header");
+  const std::uint64_t records = little_endian(header->data() + 4);
+  const std::uint64_t header_bytes = (*header)[8] + 256ULL * (*header)[9];
+  const std::uint64_t record_bytes = (*header)[10] + 256ULL * (*header)[11];
+  const std::uint64_t needed = header_bytes + records * record_bytes;
+  if (size_of(path) < needed) {
+    return input_failure(path.string() + ": is cut short: " + std::to_string(records) +
+                         " records need " + std::to_string(needed) + " bytes, the file has " +
+                         std::to_string(size_of(path)) + "; get a complete copy");
+  }
+  return DbfSize{records, (*header)[29] != 0};
+}
+
+Result<fs::path> required(const fs::path& shp, const std::string& extension,
+                          const std::string& loss) {
+  if (const auto path = sibling(shp, extension)) return *path;
+  return input_failure(shp.string() + ": its " + extension + " file is missing: " + loss +
+                       "; put it beside the .shp");
+}
+
+std::vector<std::string> encoding_warnings(const fs::path& shp, bool dbf_names_encoding) {
+  if (dbf_names_encoding || sibling(shp, ".cpg")) return {};
+  return {
+      shp.string() +
+      ": no .cpg file says how its texts are encoded: read as ISO-8859-1 where they are not UTF-8"};
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> check_shapefile(const fs::path& shp) {
+  if (const auto bytes = declared_bytes(shp); !bytes) return tl::unexpected(bytes.error());
+  const auto shx = required(shp, ".shx", "without the index records cannot be told apart");
+  if (!shx) return tl::unexpected(shx.error());
+  const auto dbf = required(shp, ".dbf", "without it heights, types and names are gone");
+  if (!dbf) return tl::unexpected(dbf.error());
+  const auto shx_bytes = declared_bytes(*shx);
+  if (!shx_bytes) return tl::unexpected(shx_bytes.error());
+  const auto table = dbf_size(*dbf);
+  if (!table) return tl::unexpected(table.error());
+  const std::uint64_t shapes = (*shx_bytes - std::min(*shx_bytes, kHeaderBytes)) / 8;
+  if (shapes != table->records) {
+    return input_failure(shp.string() + ": its .shx counts " + std::to_string(shapes) +
+                         " shapes and its .dbf " + std::to_string(table->records) +
+                         " records: the parts do not belong together; get a complete copy");
+  }
+  return encoding_warnings(shp, table->names_encoding);
+}
+
+std::vector<fs::path> shapefiles_of(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) {
+    if (lower_case(path.extension().string()) == ".shp") return {path};
+    return {};
+  }
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(path, error)) {
+    if (lower_case(entry.path().extension().string()) == ".shp") found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace mapwright::converter

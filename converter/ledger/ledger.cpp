@@ -1,0 +1,122 @@
+#include "converter/ledger/ledger.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace mapwright::converter {
+
+std::string_view to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kWritten:
+      return "written";
+    case Outcome::kChanged:
+      return "changed";
+    case Outcome::kDropped:
+      return "dropped";
+  }
+  return "dropped";
+}
+
+std::size_t Ledger::open(std::size_t source, std::int64_t fid) {
+  LedgerFeature feature;
+  feature.source = static_cast<std::uint32_t>(source);
+  feature.fid = fid;
+  features.push_back(std::move(feature));
+  ++sources[source].features;
+  return features.size() - 1;
+}
+
+void Ledger::remark(std::size_t feature, FindingCode code, std::string message) {
+  features[feature].reasons.push_back({code, std::move(message)});
+}
+
+void Ledger::change(std::size_t feature, FindingCode code, std::string message) {
+  if (features[feature].outcome == Outcome::kWritten) features[feature].outcome = Outcome::kChanged;
+  remark(feature, code, std::move(message));
+}
+
+void Ledger::drop(std::size_t feature, FindingCode code, std::string message) {
+  features[feature].outcome = Outcome::kDropped;
+  remark(feature, code, std::move(message));
+}
+
+LedgerTotals Ledger::totals() const {
+  LedgerTotals totals;
+  for (const auto& feature : features) {
+    ++totals.features;
+    if (feature.outcome == Outcome::kWritten) ++totals.written;
+    if (feature.outcome == Outcome::kChanged) ++totals.changed;
+    if (feature.outcome == Outcome::kDropped) ++totals.dropped;
+  }
+  return totals;
+}
+
+bool balances(const Ledger& ledger) {
+  std::vector<std::size_t> counted(ledger.sources.size());
+  for (const auto& feature : ledger.features) {
+    ++counted[feature.source];
+    const bool dropped = feature.outcome == Outcome::kDropped;
+    if (dropped && !feature.obstacles.empty()) return false;
+    if (feature.outcome != Outcome::kWritten && feature.reasons.empty()) return false;
+    if (!dropped && feature.obstacles.empty() && feature.reasons.empty()) return false;
+  }
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    if (counted[i] != ledger.sources[i].features) return false;
+  }
+  const auto totals = ledger.totals();
+  return totals.features == totals.written + totals.changed + totals.dropped;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Texts come from strangers' files: what is not UTF-8 must not stop the report.
+std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json source_json(const LedgerSource& source) {
+  Json json{{"path", source.path},
+            {"layer", source.layer},
+            {"crs", source.crs},
+            {"features", source.features}};
+  if (!source.warnings.empty()) json["warnings"] = source.warnings;
+  return json;
+}
+
+Json feature_json(const LedgerFeature& feature, const LedgerSource& source) {
+  Json reasons = Json::array();
+  for (const auto& reason : feature.reasons) {
+    reasons.push_back({{"code", finding_type(reason.code).id}, {"message", reason.message}});
+  }
+  return {{"source", source.path},
+          {"layer", source.layer},
+          {"fid", feature.fid},
+          {"outcome", to_string(feature.outcome)},
+          {"obstacles", feature.obstacles},
+          {"reasons", std::move(reasons)}};
+}
+
+}  // namespace
+
+// One line a feature, so that a ledger of a million is a text file that tools can search.
+std::string format_ledger(const Ledger& ledger) {
+  const auto totals = ledger.totals();
+  std::string text = "{\"schema\":\"mapwright.convert/1\",\n\"sources\":[";
+  for (std::size_t i = 0; i < ledger.sources.size(); ++i) {
+    text += (i == 0 ? "\n" : ",\n") + dumped(source_json(ledger.sources[i]));
+  }
+  text += "],\n\"totals\":" + dumped(Json{{"features", totals.features},
+                                          {"written", totals.written},
+                                          {"changed", totals.changed},
+                                          {"dropped", totals.dropped}});
+  text += ",\n\"features\":[";
+  for (std::size_t i = 0; i < ledger.features.size(); ++i) {
+    const auto& feature = ledger.features[i];
+    text += (i == 0 ? "\n" : ",\n") + dumped(feature_json(feature, ledger.sources[feature.source]));
+  }
+  return text + "]}\n";
+}
+
+}  // namespace mapwright::converter

@@ -1,0 +1,70 @@
+// What became of every feature.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mapcore/finding.hpp"
+
+namespace mapwright::converter {
+
+/// `kChanged`: geometry or attributes are not what the source had. Becoming several obstacles,
+/// being turned to the map's orientation and being rounded to its resolution are still `kWritten`.
+enum class Outcome : std::uint8_t { kWritten, kChanged, kDropped };
+
+std::string_view to_string(Outcome outcome);
+
+struct LedgerReason {
+  FindingCode code;
+  std::string message;
+};
+
+struct LedgerFeature {
+  std::uint32_t source = 0;  ///< position in Ledger::sources
+  std::int64_t fid = 0;
+  Outcome outcome = Outcome::kWritten;
+  std::vector<std::int64_t> obstacles;  ///< ids
+  std::vector<LedgerReason> reasons;
+};
+
+/// A layer of a source.
+struct LedgerSource {
+  std::string path, layer;
+  std::string crs;  ///< empty for plain local metres
+  std::size_t features = 0;
+  std::vector<std::string> warnings;
+};
+
+struct LedgerTotals {
+  std::size_t features = 0, written = 0, changed = 0, dropped = 0;
+};
+
+class Ledger {
+ public:
+  std::vector<LedgerSource> sources;
+  std::vector<LedgerFeature> features;
+
+  /// Opens the account of a feature; returns its position.
+  std::size_t open(std::size_t source, std::int64_t fid);
+
+  /// A reason that alters nothing: the feature stays as it is.
+  void remark(std::size_t feature, FindingCode code, std::string message);
+  /// The feature is not what the source had.
+  void change(std::size_t feature, FindingCode code, std::string message);
+  /// Nothing of the feature is in the map.
+  void drop(std::size_t feature, FindingCode code, std::string message);
+
+  LedgerTotals totals() const;
+};
+
+/// True if every feature is accounted for once: the layers' counts, the outcomes and the accounts
+/// agree, nothing dropped has obstacles, nothing written or changed lacks them, and nothing changed
+/// or dropped lacks a reason.
+bool balances(const Ledger& ledger);
+
+/// The report of `convert --report`: JSON with "schema": "mapwright.convert/1" (docs/cli.md).
+std::string format_ledger(const Ledger& ledger);
+
+}  // namespace mapwright::converter

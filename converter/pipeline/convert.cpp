@@ -1,0 +1,143 @@
+#include "converter/pipeline/convert.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+
+#include "converter/frame/frame_wkt.hpp"
+#include "converter/pipeline/assembly.hpp"
+#include "converter/pipeline/layer_converter.hpp"
+#include "converter/pipeline/leaning_walls.hpp"
+#include "converter/pipeline/sources.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+constexpr double kFarFromOrigin_m = 50000.0;
+
+Result<std::optional<Georeference>> resolve(const ConvertOptions& options,
+                                            const OpenedSources& sources) {
+  const bool has_origin = !options.frame.origin.empty();
+  if (options.local && !has_origin) return std::optional<Georeference>();
+  GeoPoint fallback;
+  if (!has_origin) {
+    const auto center = center_of(sources, options.swap_axes);
+    if (!center) return tl::unexpected(center.error());
+    fallback = *center;
+  }
+  auto georeference = resolve_frame(options.frame, fallback.latitude_deg, fallback.longitude_deg);
+  if (!georeference) return tl::unexpected(georeference.error());
+  georeference->wkt2 = frame_wkt2(*georeference);
+  for (const auto& job : sources.jobs) {
+    georeference->sources.push_back({relative_path(job.source->path(), options.map_folder),
+                                     job.info().name, job.crs.definition()});
+  }
+  return std::optional(*std::move(georeference));
+}
+
+Result<MapTransform> transform_of(const LayerJob& job, const std::optional<LocalFrame>& frame) {
+  if (!job.crs.is_stated() || !frame) return MapTransform();
+  auto to_wgs84 = CrsTransform::create(job.crs);
+  if (!to_wgs84) {
+    return input_failure(job.source->path() + ": layer " + job.info().name + ": " +
+                         to_wgs84.error().message);
+  }
+  return MapTransform(*std::move(to_wgs84), *frame, job.crs.metres_per_unit);
+}
+
+std::size_t open_account(const LayerJob& job, const ConvertOptions& options, Ledger& ledger) {
+  LedgerSource source;
+  source.path = relative_path(job.source->path(), options.map_folder);
+  source.layer = job.info().name;
+  source.crs = job.crs.title();
+  ledger.sources.push_back(std::move(source));
+  return ledger.sources.size() - 1;
+}
+
+Result<void> convert_layers(const ConvertOptions& options, const OpenedSources& sources,
+                            const std::optional<LocalFrame>& frame, Workspace& workspace) {
+  StairsCollector stairs(workspace);
+  for (const auto& job : sources.jobs) {
+    const auto transform = transform_of(job, frame);
+    if (!transform) return tl::unexpected(transform.error());
+    const std::size_t source = open_account(job, options, workspace.ledger);
+    auto done = LayerConverter(options, job, *transform, source, workspace, stairs).run();
+    if (!done) return done;
+    workspace.ledger.sources[source].warnings = job.source->warnings();
+  }
+  stairs.finish();
+  return {};
+}
+
+std::vector<std::string> warnings_of(const ConvertOptions& options, const OpenedSources& sources,
+                                     const Map& map) {
+  std::vector<std::string> warnings;
+  for (const auto& source : sources.sources) {
+    warnings.insert(warnings.end(), source->warnings().begin(), source->warnings().end());
+  }
+  for (const auto& job : sources.jobs) {
+    if (options.local && job.info().crs.is_stated()) {
+      warnings.push_back(job.source->path() + ": layer " + job.info().name + " states " +
+                         job.info().crs.title() + "; with --local its coordinates count as metres");
+    }
+  }
+  const Border& border = map.border;
+  const double away =
+      std::hypot(0.5 * (border.left + border.right), 0.5 * (border.top + border.bottom));
+  if (away > kFarFromOrigin_m) {
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "the map lies %.0f km from its origin: are --origin and the order of the axes right?",
+        away / 1000.0);
+    warnings.emplace_back(text);
+  }
+  return warnings;
+}
+
+}  // namespace
+
+Result<Conversion> convert(const ConvertOptions& options) {
+  const auto sources = open_sources(options);
+  if (!sources) return tl::unexpected(sources.error());
+  auto georeference = resolve(options, **sources);
+  if (!georeference) return tl::unexpected(georeference.error());
+  std::optional<LocalFrame> frame;
+  if (*georeference) frame.emplace(**georeference);
+
+  Workspace workspace(options.rules.settings, options.resolution_m);
+  workspace.repair = options.repair;
+  auto done = convert_layers(options, **sources, frame, workspace);
+  if (!done) return tl::unexpected(done.error());
+  drop_walls_that_are_steps(workspace);
+  if (options.repair) turn_leaning_walls(workspace);
+
+  Conversion conversion;
+  conversion.map = assemble(workspace);
+  conversion.georeference = *std::move(georeference);
+  conversion.ledger = std::move(workspace.ledger);
+  conversion.warnings = warnings_of(options, **sources, conversion.map);
+  assert(balances(conversion.ledger));
+  return conversion;
+}
+
+Result<std::string> explain_rules(const ConvertOptions& options) {
+  const auto sources = open_sources(options);
+  if (!sources) return tl::unexpected(sources.error());
+  std::string text;
+  for (const auto& job : (*sources)->jobs) {
+    const auto& info = job.info();
+    text +=
+        job.source->path() + ": layer " + info.name + " (" + std::string(to_string(info.geometry));
+    if (info.declared_features >= 0)
+      text += ", " + std::to_string(info.declared_features) + " features";
+    text += ", " + (job.crs.is_stated() ? job.crs.title() : "local metres") + ")\n";
+    const auto lines = LayerRules(*job.rules, info).explain();
+    for (const auto& line : lines) text += "  " + line + "\n";
+    if (lines.empty())
+      text += "  no rule of " + job.rules->name + " fits: its features are dropped\n";
+  }
+  return text;
+}
+
+}  // namespace mapwright::converter

@@ -1,0 +1,244 @@
+#include "converter/pipeline/layer_converter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "converter/pipeline/outlines.hpp"
+#include "converter/pipeline/walls.hpp"
+#include "mapcore/text/writer.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+bool all_finite(const SourceGeometry& geometry) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::all_of(geometry.xs.begin(), geometry.xs.end(), finite) &&
+         std::all_of(geometry.ys.begin(), geometry.ys.end(), finite);
+}
+
+Box extent_of(const SourceGeometry& geometry) {
+  Box box = kEmptyBox;
+  for (std::size_t i = 0; i < geometry.xs.size(); ++i) box.add({geometry.xs[i], geometry.ys[i]});
+  return box;
+}
+
+bool meet(const Box& p, const Box& q) {
+  return p.min_x <= q.max_x && q.min_x <= p.max_x && p.min_y <= q.max_y && q.min_y <= p.max_y;
+}
+
+std::string with_metres(const char* format, double a, double b) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, a, b);
+  return buffer;
+}
+
+bool is_directional(FeatureKind kind) {
+  return kind == FeatureKind::kRamp || kind == FeatureKind::kStairs;
+}
+
+}  // namespace
+
+LayerConverter::LayerConverter(const ConvertOptions& options, const LayerJob& job,
+                               const MapTransform& transform, std::size_t source,
+                               Workspace& workspace, StairsCollector& stairs)
+    : options_(options),
+      job_(job),
+      transform_(transform),
+      source_(source),
+      workspace_(workspace),
+      stairs_(stairs),
+      ramps_(workspace),
+      rules_(*job.rules, job.info()) {}
+
+Result<void> LayerConverter::run() {
+  ReadOptions reading;
+  reading.where = options_.where;
+  reading.sagitta_m = 0.9 * tolerance::kChordSagitta_m;  // the rest is for rounding
+  reading.fields = rules_.fields();
+  reading.keep_broken = options_.keep_broken;
+  const auto count =
+      job_.source->read(job_.layer, reading, [this](SourceFeature& f) { convert(f); });
+  if (failure_) return tl::unexpected(*failure_);
+  if (!count) return tl::unexpected(count.error());
+  if (suspicion_.is_suspect()) {
+    return input_failure(job_.source->path() + ": layer " + job_.info().name +
+                         ": longitude and latitude look exchanged (right angles are right only the "
+                         "other way round): use --swap-axes");
+  }
+  ramps_.finish();
+  return {};
+}
+
+void LayerConverter::convert(SourceFeature& feature) {
+  if (failure_) return;
+  if (options_.progress && ++done_ % 1024 == 0) {
+    const auto total = job_.info().declared_features;
+    options_.progress(done_, total > 0 ? static_cast<std::size_t>(total) : done_);
+  }
+  const std::size_t account = workspace_.ledger.open(source_, feature.fid);
+  if (!selects(feature, account) || !interprets(feature, account)) return;
+  if (!places(feature, account) || !keeps(feature, account)) return;
+  tell_about_values(feature, account);
+  build({feature, meaning_, account, source_, grid_north_});
+}
+
+// Whether there is anything to convert.
+bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) {
+  auto& ledger = workspace_.ledger;
+  for (const auto& warning : feature.warnings) ledger.remark(account, FindingCode::C224, warning);
+  if (!feature.selected) {
+    ledger.drop(account, FindingCode::C214, "not selected by --where");
+    return false;
+  }
+  const auto& geometry = feature.geometry;
+  if (!geometry.paths.empty()) {
+    if (!geometry.unsupported.empty()) {
+      ledger.change(account, FindingCode::C207,
+                    "a part of type " + geometry.unsupported + " was left out");
+    }
+    return true;
+  }
+  if (!geometry.unsupported.empty()) {
+    ledger.drop(account, FindingCode::C207, "no obstacle can stand for a " + geometry.unsupported);
+  } else {
+    ledger.drop(account, FindingCode::C206,
+                geometry.type.empty() ? "the feature has no geometry"
+                                      : "its " + geometry.type + " is empty");
+  }
+  return false;
+}
+
+// Whether a rule makes something of it.
+bool LayerConverter::interprets(const SourceFeature& feature, std::size_t account) {
+  rules_.interpret(feature, geometry_kind(feature.geometry), meaning_);
+  if (meaning_.rule == nullptr) {
+    workspace_.ledger.drop(account, FindingCode::C209, "no rule of " + job_.rules->name + " fits");
+    return false;
+  }
+  if (meaning_.rule->kind != FeatureKind::kIgnore) return true;
+  const auto& reason = meaning_.rule->reason;
+  workspace_.ledger.drop(
+      account, FindingCode::C208,
+      "rule '" + meaning_.rule->name + "': " + (reason.empty() ? "to be ignored" : reason));
+  return false;
+}
+
+// In degrees, as declared: the whole layer is wrong where one latitude is impossible.
+bool LayerConverter::check_degrees(const SourceFeature& feature) {
+  if (!job_.crs.geographic) return true;
+  for (std::size_t i = 0; i < feature.geometry.ys.size(); ++i) {
+    const double x = feature.geometry.xs[i];
+    const double y = feature.geometry.ys[i];
+    if (std::abs(y) <= 90.0 && std::abs(x) <= 360.0) continue;
+    const bool exchanged = std::abs(x) <= 90.0 && std::abs(y) <= 180.0;
+    failure_ =
+        Failure{FailureKind::kInput,
+                job_.source->path() + ": layer " + job_.info().name + ": feature " +
+                    std::to_string(feature.fid) + ": " +
+                    with_metres("longitude %.10g, latitude %.10g is no place on Earth: ", x, y) +
+                    (exchanged ? "the axes look exchanged, use --swap-axes"
+                               : "the coordinates are not degrees; state their CRS, or --local")};
+    return false;
+  }
+  suspicion_.watch(feature.geometry);
+  return true;
+}
+
+// Takes the geometry into the map frame.
+bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
+  auto& geometry = feature.geometry;
+  auto& ledger = workspace_.ledger;
+  if (!all_finite(geometry)) {
+    ledger.drop(account, FindingCode::C205, "a coordinate is infinite or not a number");
+    return false;
+  }
+  if (options_.swap_axes) std::swap(geometry.xs, geometry.ys);
+  if (!check_degrees(feature)) return false;
+  if (is_directional(meaning_.rule->kind)) {
+    grid_north_ = transform_.grid_north(geometry.xs.front(), geometry.ys.front());
+  }
+  transform_.apply(geometry.xs, geometry.ys);
+  if (!all_finite(geometry)) {
+    ledger.drop(account, FindingCode::C205,
+                "a coordinate is beyond what " + job_.crs.title() + " covers");
+    return false;
+  }
+  const Box box = extent_of(geometry);
+  const double reach = std::max(
+      {std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y)});
+  if (reach <= tolerance::kAbsurdCoordinate_m) return true;
+  ledger.drop(
+      account, FindingCode::C220,
+      with_metres("it lies %.0f km from the map's origin; are --origin, the CRS and the order of "
+                  "the axes right?",
+                  reach / 1000.0, 0.0));
+  return false;
+}
+
+// Whether the robot can meet it.
+bool LayerConverter::keeps(const SourceFeature& feature, std::size_t account) {
+  if (options_.bbox && !meet(*options_.bbox, extent_of(feature.geometry))) {
+    workspace_.ledger.drop(account, FindingCode::C213, "outside of --bbox");
+    return false;
+  }
+  const double robot = workspace_.settings.robot_height_m;
+  if (meaning_.base_height_m && *meaning_.base_height_m > robot) {
+    workspace_.ledger.drop(account, FindingCode::C210,
+                           with_metres("it begins %.3g m above the ground, over a robot of %.3g m",
+                                       *meaning_.base_height_m, robot));
+    return false;
+  }
+  return true;
+}
+
+void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t account) {
+  auto& ledger = workspace_.ledger;
+  for (const auto& value : meaning_.unreadable) {
+    ledger.change(account, FindingCode::C219, value + " is no quantity and was passed over");
+  }
+  for (const auto& field : feature.reencoded) {
+    ledger.change(account, FindingCode::C226,
+                  "field " + field + " was not UTF-8 and was read as ISO-8859-1");
+  }
+  if (meaning_.semantic_altered) {
+    ledger.change(account, FindingCode::C215,
+                  "characters the map format reserves were replaced in the semantic string");
+  }
+  if (!options_.source_tokens) return;
+  std::string layer = sanitized_semantic(job_.info().name);
+  std::replace(layer.begin(), layer.end(), ',', ' ');
+  meaning_.semantic =
+      std::string(Semantic(meaning_.semantic)
+                      .with_value(semantic_key::kSource, layer + ":" + std::to_string(feature.fid))
+                      .view());
+}
+
+void LayerConverter::build(const FeatureTask& task) {
+  switch (task.meaning.rule->kind) {
+    case FeatureKind::kSolid:
+      return add_solid(task, workspace_);
+    case FeatureKind::kWall:
+      return add_wall(task, workspace_);
+    case FeatureKind::kRamp:
+      return ramps_.add(task);
+    case FeatureKind::kStairs:
+      return stairs_.add_stairs(task, job_.place);
+    case FeatureKind::kSteps:
+      if (!task.meaning.stair_id.empty()) return stairs_.add_step(task, job_.place);
+      workspace_.ledger.remark(task.account, FindingCode::C217,
+                               "a step without stair id: written as a low wall");
+      return add_wall(task, task.meaning.rise_m.value_or(workspace_.settings.rise_m), workspace_);
+    case FeatureKind::kBorder: {
+      const Box box = extent_of(task.feature.geometry);
+      workspace_.border.add({box.min_x, box.min_y});
+      workspace_.border.add({box.max_x, box.max_y});
+      return workspace_.ledger.remark(task.account, FindingCode::C227,
+                                      "its extent is the map's border");
+    }
+    case FeatureKind::kIgnore:
+      return;
+  }
+}
+
+}  // namespace mapwright::converter

@@ -1,0 +1,47 @@
+// Converts the features of one layer.
+#pragma once
+
+#include "converter/pipeline/axis_suspicion.hpp"
+#include "converter/pipeline/ramps.hpp"
+#include "converter/pipeline/sources.hpp"
+#include "converter/pipeline/stairs.hpp"
+#include "converter/pipeline/workspace.hpp"
+
+namespace mapwright::converter {
+
+class LayerConverter {
+ public:
+  /// Borrows everything; `source` is the layer's position in the ledger.
+  LayerConverter(const ConvertOptions& options, const LayerJob& job, const MapTransform& transform,
+                 std::size_t source, Workspace& workspace, StairsCollector& stairs);
+
+  /// Reads the layer to its end. Fails where it cannot be read, or its coordinates cannot be what
+  /// its CRS says.
+  Result<void> run();
+
+ private:
+  void convert(SourceFeature& feature);
+  bool selects(const SourceFeature& feature, std::size_t account);
+  bool interprets(const SourceFeature& feature, std::size_t account);
+  bool places(SourceFeature& feature, std::size_t account);
+  bool keeps(const SourceFeature& feature, std::size_t account);
+  void tell_about_values(const SourceFeature& feature, std::size_t account);
+  void build(const FeatureTask& task);
+  bool check_degrees(const SourceFeature& feature);
+
+  const ConvertOptions& options_;
+  const LayerJob& job_;
+  const MapTransform& transform_;
+  std::size_t source_;
+  Workspace& workspace_;
+  StairsCollector& stairs_;
+  RampCollector ramps_;
+  LayerRules rules_;
+  AxisSuspicion suspicion_;
+  Meaning meaning_;
+  Point grid_north_{0.0, 1.0};
+  std::optional<Failure> failure_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace mapwright::converter

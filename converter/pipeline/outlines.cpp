@@ -1,0 +1,188 @@
+#include "converter/pipeline/outlines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <set>
+
+#include "converter/pipeline/ring_validity.hpp"
+#include "mapcore/angle.hpp"
+#include "mapcore/geometry/orientation.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+// Rings of one polygon as the source has them, at the map's resolution.
+struct DrawnPolygon {
+  std::vector<std::vector<Point>> rings;  // the outer one first
+  bool curved = false;
+};
+
+using Ring = std::vector<Point>;
+
+void orient(Ring& ring, RingOrientation wanted) {
+  const auto found = ring_orientation(ring);
+  if (found != wanted && found != RingOrientation::kDegenerate)
+    std::reverse(ring.begin(), ring.end());
+}
+
+std::string area_text(double area_m2) {
+  char buffer[48];
+  std::snprintf(buffer, sizeof buffer, "%.3f m2", area_m2);
+  return buffer;
+}
+
+double area_m2(const SimplePolygon& polygon) {
+  double area = signed_area_m2(polygon.outer);
+  for (const auto& hole : polygon.holes) area += signed_area_m2(hole);
+  return area;
+}
+
+// Regular polygon around a circle: no chord cuts off more than the tolerance outside of it.
+Ring round_outline(Point center, double radius, const Workspace& workspace) {
+  const double cosine = radius / (radius + tolerance::kChordSagitta_m);
+  const int corners =
+      std::max(8, static_cast<int>(std::ceil(std::numbers::pi / std::acos(cosine))));
+  const double reach = radius / std::cos(std::numbers::pi / corners);
+  Ring ring;
+  for (int i = 0; i < corners; ++i) {
+    ring.push_back(
+        workspace.snapped(center + reach * unit_vector_deg(360.0 * (i + 0.5) / corners)));
+  }
+  return ring;
+}
+
+class PolygonCollector {
+ public:
+  PolygonCollector(const FeatureTask& task, Workspace& workspace)
+      : task_(task), workspace_(workspace) {}
+
+  std::vector<DrawnPolygon> collect() {
+    for (const auto& path : task_.feature.geometry.paths) add(path);
+    return std::move(polygons_);
+  }
+
+ private:
+  void add(const SourcePath& path) {
+    if (path.role == PathRole::kPoint) return add_point(path);
+    CleanPath clean = clean_path(task_.feature.geometry, path, workspace_.resolution);
+    const bool inner = path.role == PathRole::kInnerRing;
+    if (clean.had_repeats)
+      change_once(FindingCode::C202, "points that stood twice in a row were taken once");
+    if (!clean.closed && clean.points.size() > 2) {
+      change_once(FindingCode::C203, "an outline that did not close was closed");
+    }
+    if (clean.points.size() < 3) {
+      outer_is_missing_ = outer_is_missing_ || !inner;
+      return change_once(FindingCode::C204, inner ? "a hole without area was left out"
+                                                  : "an outline without area was left out");
+    }
+    if (inner && !outer_is_missing_ && !polygons_.empty()) {
+      polygons_.back().rings.push_back(std::move(clean.points));
+      polygons_.back().curved = polygons_.back().curved || clean.curved;
+      return;
+    }
+    outer_is_missing_ = false;
+    polygons_.push_back({{std::move(clean.points)}, clean.curved});
+  }
+
+  void add_point(const SourcePath& path) {
+    if (!task_.meaning.radius_m || !(*task_.meaning.radius_m > 0.0)) {
+      return change_once(FindingCode::C207, "a point has no outline, and no radius is given");
+    }
+    const auto& geometry = task_.feature.geometry;
+    const Point center{geometry.xs[path.first], geometry.ys[path.first]};
+    polygons_.push_back({{round_outline(center, *task_.meaning.radius_m, workspace_)}, true});
+  }
+
+  void change_once(FindingCode code, const std::string& message) {
+    if (said_.insert({code, message}).second)
+      workspace_.ledger.change(task_.account, code, message);
+  }
+
+  const FeatureTask& task_;
+  Workspace& workspace_;
+  std::vector<DrawnPolygon> polygons_;
+  bool outer_is_missing_ = false;
+  std::set<std::pair<FindingCode, std::string>> said_;
+};
+
+SimplePolygon as_drawn(DrawnPolygon& drawn) {
+  SimplePolygon polygon;
+  polygon.outer = std::move(drawn.rings.front());
+  orient(polygon.outer, RingOrientation::kCounterClockwise);
+  for (std::size_t i = 1; i < drawn.rings.size(); ++i) {
+    orient(drawn.rings[i], RingOrientation::kClockwise);
+    polygon.holes.push_back(std::move(drawn.rings[i]));
+  }
+  return polygon;
+}
+
+void say_repaired(const FeatureTask& task, const std::string& defect,
+                  const std::vector<SimplePolygon>& parts, Workspace& workspace) {
+  if (parts.empty()) {
+    return workspace.ledger.change(task.account, FindingCode::C204,
+                                   "an outline without area was left out (" + defect + ")");
+  }
+  double area = 0.0;
+  std::size_t holes = 0;
+  for (const auto& part : parts) {
+    area += area_m2(part);
+    holes += part.holes.size();
+  }
+  workspace.ledger.change(task.account, FindingCode::C201,
+                          defect + ": cut into " + std::to_string(parts.size()) +
+                              " outlines with " + std::to_string(holes) + " holes, " +
+                              area_text(area) + " (odd-even rule)");
+}
+
+void append_repaired(const FeatureTask& task, const DrawnPolygon& drawn, const std::string& defect,
+                     Workspace& workspace, std::vector<Outline>& outlines) {
+  auto parts = odd_even_polygons(drawn.rings, workspace.snap());
+  if (!parts) {
+    return workspace.ledger.change(task.account, FindingCode::C221,
+                                   defect + ": no simple outline could be made of it");
+  }
+  say_repaired(task, defect, *parts, workspace);
+  for (auto& part : *parts) outlines.push_back({std::move(part), drawn.curved});
+}
+
+}  // namespace
+
+std::vector<Outline> outlines_of(const FeatureTask& task, Workspace& workspace) {
+  std::vector<Outline> outlines;
+  for (auto& drawn : PolygonCollector(task, workspace).collect()) {
+    const std::string defect = workspace.repair ? polygon_defect(drawn.rings) : std::string();
+    if (defect.empty())
+      outlines.push_back({as_drawn(drawn), drawn.curved});
+    else
+      append_repaired(task, drawn, defect, workspace, outlines);
+  }
+  return outlines;
+}
+
+void add_outlines(const FeatureTask& task, const std::vector<Outline>& outlines, double height_m,
+                  Workspace& workspace) {
+  const SegmentStyle style{height_m, task.meaning.in_out, Semantic(task.meaning.segment_semantic)};
+  for (const auto& outline : outlines) {
+    const auto type = outline.curved ? ShapeType::kClosedCurve : ShapeType::kClosedPolygon;
+    Draft outer = draft_for(task, type);
+    outer.obstacle.segments = chain_of(outline.polygon.outer, true, style);
+    const std::size_t position = workspace.drafts.size();
+    workspace.drafts.push_back(std::move(outer));
+    for (const auto& hole : outline.polygon.holes) {
+      Draft inner = draft_for(task, type);
+      inner.inner_of = position;
+      inner.obstacle.segments = chain_of(hole, true, style);
+      workspace.drafts.push_back(std::move(inner));
+    }
+  }
+}
+
+void add_solid(const FeatureTask& task, Workspace& workspace) {
+  const auto outlines = outlines_of(task, workspace);
+  if (!outlines.empty()) add_outlines(task, outlines, height_of(task, workspace), workspace);
+}
+
+}  // namespace mapwright::converter

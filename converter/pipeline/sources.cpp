@@ -1,0 +1,147 @@
+#include "converter/pipeline/sources.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "converter/rules/rule_reader.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+namespace fs = std::filesystem;
+
+Failure without_crs(const VectorSource& source, const LayerInfo& layer) {
+  const std::string missing =
+      source.driver() == "ESRI Shapefile" ? " (its .prj file is missing or empty)" : "";
+  return {
+      FailureKind::kInput,
+      source.path() + ": layer " + layer.name + " states no coordinate reference system" + missing +
+          ": say which one it is with --source-crs EPSG:CODE, or --local if its coordinates are "
+          "metres of the map"};
+}
+
+// Ids of stairs are unique within a file; shapefiles of one folder are one drawing.
+std::string place_of(const VectorSource& source) {
+  const fs::path path(source.path());
+  std::error_code error;
+  const bool is_single_shapefile =
+      source.driver() == "ESRI Shapefile" && !fs::is_directory(path, error);
+  return is_single_shapefile ? path.parent_path().string() : path.string();
+}
+
+bool is_asked_for(const LayerInfo& layer, const std::vector<std::string>& names) {
+  return names.empty() || std::find(names.begin(), names.end(), layer.name) != names.end();
+}
+
+Result<void> check_layer_names(const OpenedSources& opened, const std::vector<std::string>& names) {
+  std::string all;
+  std::vector<std::string> known;
+  for (const auto& source : opened.sources) {
+    for (const auto& layer : source->layers()) {
+      known.push_back(layer.name);
+      all += (all.empty() ? "" : ", ") + layer.name;
+    }
+  }
+  for (const auto& name : names) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      return usage_failure("--layer: no source has a layer '" + name + "'; the layers are " + all);
+    }
+  }
+  return {};
+}
+
+Result<void> append_jobs(VectorSource& source, const ConvertOptions& options,
+                         const Crs& stated_by_user, OpenedSources& opened) {
+  for (std::size_t i = 0; i < source.layers().size(); ++i) {
+    const auto& layer = source.layers()[i];
+    if (!is_asked_for(layer, options.layers)) continue;
+    LayerJob job{&source, i, layer.crs, place_of(source), &options.rules};
+    if (options.rules_are_guessed && source.driver() == "OSM") job.rules = &opened.osm_rules;
+    if (options.local)
+      job.crs = {};
+    else if (!job.crs.is_stated())
+      job.crs = stated_by_user;
+    const bool has_places = layer.geometry != GeometryKind::kNone;
+    if (!options.local && has_places && !job.crs.is_stated()) {
+      return tl::unexpected(without_crs(source, layer));
+    }
+    opened.jobs.push_back(std::move(job));
+  }
+  return {};
+}
+
+// The box's outline, so that a turned or bent box is covered well enough for a centre.
+void append_outline(const Box& box, std::vector<double>& xs, std::vector<double>& ys) {
+  for (const double s : {0.0, 0.5, 1.0}) {
+    for (const double t : {0.0, 0.5, 1.0}) {
+      xs.push_back(box.min_x + s * box.width());
+      ys.push_back(box.min_y + t * box.height());
+    }
+  }
+}
+
+double tidy(double degrees) {
+  return std::round(degrees * 1e7) / 1e7;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& options) {
+  auto opened = std::make_unique<OpenedSources>();
+  auto osm = read_rules(std::string(builtin_rules("osm")), "osm");
+  if (!osm) return tl::unexpected(osm.error());
+  opened->osm_rules = *std::move(osm);
+  Crs stated;
+  if (!options.source_crs.empty()) {
+    auto crs = parse_crs(options.source_crs);
+    if (!crs) return usage_failure("--source-crs: " + crs.error().message);
+    stated = *std::move(crs);
+  }
+  for (const auto& path : options.sources) {
+    auto source = VectorSource::open(path, {options.extra_drivers});
+    if (!source) return tl::unexpected(source.error());
+    opened->sources.push_back(std::make_unique<VectorSource>(*std::move(source)));
+  }
+  if (auto checked = check_layer_names(*opened, options.layers); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  for (const auto& source : opened->sources) {
+    if (auto done = append_jobs(*source, options, stated, *opened); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
+  return opened;
+}
+
+Result<GeoPoint> center_of(const OpenedSources& sources, bool swap_axes) {
+  Box all = kEmptyBox;
+  for (const auto& job : sources.jobs) {
+    const auto box = job.source->extent(job.layer);
+    if (!box || !job.crs.is_stated()) continue;
+    const auto transform = CrsTransform::create(job.crs);
+    if (!transform) return tl::unexpected(transform.error());
+    std::vector<double> xs, ys;
+    append_outline(*box, xs, ys);
+    if (swap_axes) std::swap(xs, ys);
+    transform->to_wgs84(xs, ys);
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      if (std::isfinite(xs[i])) all.add({xs[i], ys[i]});
+    }
+  }
+  if (all.is_empty()) {
+    return input_failure(sources.sources.front()->path() +
+                         ": no layer has a place on Earth to put the origin at; is it empty?");
+  }
+  return GeoPoint{tidy(0.5 * (all.min_x + all.max_x)), tidy(0.5 * (all.min_y + all.max_y))};
+}
+
+std::string relative_path(const std::string& path, const std::string& folder) {
+  if (folder.empty()) return path;
+  std::error_code error;
+  const auto relative = fs::relative(path, folder, error);
+  return error || relative.empty() ? path : relative.generic_string();
+}
+
+}  // namespace mapwright::converter

@@ -1,0 +1,15 @@
+// Walls: lines as they are drawn.
+#pragma once
+
+#include "converter/pipeline/workspace.hpp"
+
+namespace mapwright::converter {
+
+/// Writes a feature of kind wall: each line a chain that keeps its drawing direction (free space on
+/// the right); closed lines stay closed and run as drawn. Polygons are written as solids are.
+void add_wall(const FeatureTask& task, Workspace& workspace);
+
+/// The same with a given height.
+void add_wall(const FeatureTask& task, double height_m, Workspace& workspace);
+
+}  // namespace mapwright::converter

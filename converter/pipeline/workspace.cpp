@@ -1,0 +1,42 @@
+#include "converter/pipeline/workspace.hpp"
+
+#include <charconv>
+#include <iterator>
+
+namespace mapwright::converter {
+namespace {
+
+std::string metres(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(std::begin(buffer), std::end(buffer), value).ptr;
+  return std::string(std::begin(buffer), end) + " m";
+}
+
+}  // namespace
+
+double height_of(const FeatureTask& task, Workspace& workspace) {
+  const auto& height = task.meaning.height_m;
+  if (height && *height > 0.0) return *height;
+  const double fallback = workspace.settings.default_height_m;
+  if (height) {
+    workspace.ledger.change(
+        task.account, FindingCode::C216,
+        "height " + metres(*height) + " is none: " + metres(fallback) + " stands in");
+  } else {
+    workspace.ledger.remark(task.account, FindingCode::C216,
+                            "no height is given: " + metres(fallback) + " stands in");
+  }
+  return fallback;
+}
+
+Draft draft_for(const FeatureTask& task, ShapeType shape_type) {
+  Draft draft;
+  draft.obstacle.shape_type = shape_type;
+  draft.obstacle.semantic = Semantic(task.meaning.semantic);
+  draft.kind = task.meaning.rule->kind;
+  draft.source = task.source;
+  draft.features.push_back(task.account);
+  return draft;
+}
+
+}  // namespace mapwright::converter

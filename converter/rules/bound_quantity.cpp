@@ -1,0 +1,74 @@
+#include "converter/rules/bound_quantity.hpp"
+
+#include <charconv>
+#include <iterator>
+
+namespace mapwright::converter {
+namespace {
+
+std::string shortest(double value) {
+  char buffer[32];
+  const auto result = std::to_chars(std::begin(buffer), std::end(buffer), value);
+  return {std::begin(buffer), result.ptr};
+}
+
+std::optional<double> read(const Field& field, double factor, const SourceFeature& feature,
+                           std::vector<std::string>& unreadable) {
+  const auto value = field.length_m(feature, factor);
+  if (!value && field.has_value(feature)) {
+    unreadable.push_back(field.layer_name() + " '" + field.text(feature).value_or("") + "'");
+  }
+  return value;
+}
+
+}  // namespace
+
+BoundQuantity::BoundQuantity(const Quantity& quantity, const std::vector<std::string>& layer_fields,
+                             const RuleSettings& settings) {
+  for (const auto& term : quantity.terms) {
+    Term bound;
+    bound.constant = term.constant;
+    bound.factor = term.storeys ? settings.storey_height_m : term.metres_per_unit;
+    if (!term.constant) bound.field = Field(layer_fields, term.field);
+    if (!term.minus.empty()) bound.minus = Field(layer_fields, term.minus);
+    bound.has_minus = !term.minus.empty();
+    const bool can_have_value = bound.field.exists() && (!bound.has_minus || bound.minus.exists());
+    if (bound.constant || can_have_value) terms_.push_back(std::move(bound));
+  }
+}
+
+std::optional<double> BoundQuantity::evaluate(const SourceFeature& feature,
+                                              std::vector<std::string>& unreadable) const {
+  for (const auto& term : terms_) {
+    if (term.constant) return term.constant;
+    const auto value = read(term.field, term.factor, feature, unreadable);
+    if (!value) continue;
+    if (!term.has_minus) return value;
+    if (const auto less = read(term.minus, term.factor, feature, unreadable)) return *value - *less;
+  }
+  return std::nullopt;
+}
+
+std::string BoundQuantity::describe() const {
+  std::string text;
+  for (const auto& term : terms_) {
+    if (!text.empty()) text += ", else ";
+    if (term.constant)
+      text += shortest(*term.constant);
+    else
+      text += term.field.layer_name();
+    if (term.has_minus) text += " - " + term.minus.layer_name();
+    if (term.factor != 1.0) text += " x " + shortest(term.factor);
+    if (term.constant) break;
+  }
+  return text;
+}
+
+void BoundQuantity::append_fields(std::vector<std::string>& names) const {
+  for (const auto& term : terms_) {
+    if (term.field.exists()) names.push_back(term.field.layer_name());
+    if (term.minus.exists()) names.push_back(term.minus.layer_name());
+  }
+}
+
+}  // namespace mapwright::converter

@@ -1,0 +1,38 @@
+// Private to this folder: quantities of rules, bound to a layer's fields.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "converter/rules/field.hpp"
+#include "converter/rules/rule.hpp"
+
+namespace mapwright::converter {
+
+class BoundQuantity {
+ public:
+  BoundQuantity() = default;
+  BoundQuantity(const Quantity& quantity, const std::vector<std::string>& layer_fields,
+                const RuleSettings& settings);
+
+  /// The first term with a value, in metres (or plain numbers, for quantities that are no lengths).
+  /// Texts that are no quantity are added to `unreadable`.
+  std::optional<double> evaluate(const SourceFeature& feature,
+                                 std::vector<std::string>& unreadable) const;
+
+  /// "height, top_z − base_z, 2.5": the terms this layer has.
+  std::string describe() const;
+  void append_fields(std::vector<std::string>& names) const;
+
+ private:
+  struct Term {
+    std::optional<double> constant;
+    Field field, minus;
+    bool has_minus = false;
+    double factor = 1.0;
+  };
+  std::vector<Term> terms_;
+};
+
+}  // namespace mapwright::converter

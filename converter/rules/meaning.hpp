@@ -1,0 +1,29 @@
+// What a rule makes of one feature, before any geometry is built.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "converter/rules/rule.hpp"
+#include "mapcore/map.hpp"
+
+namespace mapwright::converter {
+
+struct Meaning {
+  const Rule* rule = nullptr;  ///< null: no rule fits
+  std::optional<double> height_m, base_height_m, radius_m, rise_m, width_m;
+  std::optional<double> steps, step_no;
+  std::string stair_id;
+  std::optional<double> direction_deg;  ///< upwards, clockwise from the source grid's north
+  std::optional<bool> upwards;          ///< of stairs drawn as a line: along the drawing direction
+  std::optional<Normal> normal;         ///< as the fields have it, any length
+  std::optional<double> slope_deg, aspect_deg;
+  InOut in_out = InOut::kOutdoor;
+  std::string semantic, segment_semantic;
+  /// Fields with values that could not be understood: "height 'abc'".
+  std::vector<std::string> unreadable;
+  bool semantic_altered = false;  ///< reserved characters or commas had to be replaced
+};
+
+}  // namespace mapwright::converter
