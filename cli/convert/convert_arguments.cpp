@@ -1,0 +1,125 @@
+#include "cli/convert/convert_arguments.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/support/arguments.hpp"
+#include "cli/support/error.hpp"
+#include "cli/support/files.hpp"
+#include "converter/rules/rule_reader.hpp"
+
+namespace mapwright::cli {
+namespace {
+
+namespace po = boost::program_options;
+
+bool is_builtin(const std::string& rules) {
+  const auto& names = converter::builtin_rule_sets();
+  return std::find(names.begin(), names.end(), rules) != names.end();
+}
+
+converter::RuleSet load_rules(const std::string& rules) {
+  const std::string yaml =
+      is_builtin(rules) ? std::string(converter::builtin_rules(rules)) : read_file(rules);
+  return value_or_throw(converter::read_rules(yaml, rules));
+}
+
+void refuse_remote(const std::string& path) {
+  if (path.find("://") != path.npos || path.find("/vsi") != path.npos) {
+    fail_usage(path + ": remote and virtual sources are refused; fetch or unpack it first");
+  }
+}
+
+}  // namespace
+
+void ConvertArguments::declare(po::options_description& options,
+                               po::positional_options_description& positionals) {
+  auto add = options.add_options();
+  add("source", po::value(&options_.sources)->required(), "GIS files, or folders of shapefiles");
+  add("output,o", po::value(&output_),
+      "the map to write, with its sidecar MAP.georef.json beside it; - writes the map alone to "
+      "standard output");
+  add("layer", po::value(&options_.layers)->composing(),
+      "convert this layer only; may be given several times (default: all)");
+  add("rules", po::value(&rules_)->default_value("auto"),
+      "what layers and fields mean: a rules file, or a built-in set: auto, osm, mapwright");
+  add("explain-rules", po::bool_switch(&explain_rules_),
+      "print which rules fit each layer and why, and convert nothing");
+  add("where", po::value(&options_.where),
+      "SQL condition on fields, such as \"height > 2\"; other features are dropped");
+  add("bbox", po::value(&bbox_),
+      "X1,Y1,X2,Y2 in metres of the map: features outside are dropped, those across the edge stay "
+      "whole");
+  add("origin", po::value(&origin_),
+      "LAT,LON[,HEIGHT] in degrees (WGS 84) and metres, or X,Y[,HEIGHT] of --origin-crs (default: "
+      "the "
+      "centre of the sources)");
+  add("origin-crs", po::value(&options_.frame.origin_crs), "CRS of --origin, such as EPSG:25831");
+  add("heading", po::value(&heading_)->default_value("0"),
+      "degrees clockwise from north to the map's +y axis; true north, or the grid's north where "
+      "--origin-crs is projected");
+  add("frame", po::value(&frame_)->default_value("tmerc"),
+      "tmerc: transverse Mercator with scale 1 at the origin; enu: local tangent plane");
+  add("source-crs", po::value(&options_.source_crs), "CRS of sources that state none");
+  add("local", po::bool_switch(&options_.local), "the sources' coordinates are metres of the map");
+  add("swap-axes", po::bool_switch(&options_.swap_axes),
+      "the sources have northing or latitude before easting or longitude");
+  add("resolution", po::value(&resolution_)->default_value("0.001"),
+      "metres that coordinates and heights are rounded to");
+  add("report", po::value(&report_), "write the ledger: what became of every feature (JSON)");
+  add("strict", po::bool_switch(&strict_), "a repair is an error: no map is written");
+  add("no-repair", po::bool_switch(&no_repair_),
+      "write outlines that cross themselves as they are drawn");
+  add("skip-broken", po::bool_switch(&options_.keep_broken),
+      "drop features that cannot be read instead of refusing the source");
+  add("source-tokens", po::bool_switch(&options_.source_tokens),
+      "add source=LAYER:FEATURE to every semantic string");
+  add("allow-driver", po::value(&options_.extra_drivers)->composing(),
+      "let another of GDAL's drivers read sources; may be given several times");
+  positionals.add("source", -1);
+}
+
+void ConvertArguments::check_frame() {
+  auto& frame = options_.frame;
+  if (!origin_.empty()) frame.origin = parse_numbers("origin", origin_, 2, 3);
+  if (frame.origin.empty() && !frame.origin_crs.empty()) {
+    fail_usage("--origin-crs says in which CRS --origin is given: give --origin too");
+  }
+  frame.heading_deg = parse_number("heading", heading_);
+  const auto projection = frame_projection(frame_);
+  if (!projection) fail_usage("--frame: '" + frame_ + "' is neither tmerc nor enu");
+  frame.projection = *projection;
+  if (options_.local && !options_.source_crs.empty()) {
+    fail_usage("--local and --source-crs exclude each other");
+  }
+}
+
+void ConvertArguments::check(const po::variables_map&) {
+  if (output_.empty() && !explain_rules_)
+    fail_usage("-o MAP.txt is missing: where shall the map go?");
+  for (const auto& source : options_.sources) refuse_remote(source);
+  check_frame();
+  if (!bbox_.empty()) {
+    const auto n = parse_numbers("bbox", bbox_, 4, 4);
+    options_.bbox = Box{n[0], n[1], n[2], n[3]};
+    if (options_.bbox->is_empty()) fail_usage("--bbox: X1 must not exceed X2, nor Y1 Y2");
+  }
+  options_.resolution_m = parse_number("resolution", resolution_);
+  if (options_.resolution_m < 1e-9 || options_.resolution_m > 10.0) {
+    fail_usage("--resolution: expected metres between 1e-9 and 10, got " + resolution_);
+  }
+  options_.repair = !no_repair_;
+  options_.rules_are_guessed = rules_ == "auto";
+}
+
+converter::ConvertOptions ConvertArguments::options() const {
+  converter::ConvertOptions options = options_;
+  options.rules = load_rules(rules_);
+  if (output_ != "-" && !output_.empty()) {
+    const auto folder = std::filesystem::path(output_).parent_path().string();
+    options.map_folder = folder.empty() ? "." : folder;
+  }
+  return options;
+}
+
+}  // namespace mapwright::cli

@@ -1,0 +1,37 @@
+// What `mapwright convert` leaves behind.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/support/console.hpp"
+#include "cli/support/files.hpp"
+#include "converter/pipeline/convert.hpp"
+#include "mapcore/finding.hpp"
+
+namespace mapwright::cli {
+
+/// Map, sidecar and report under temporary names, until all are complete.
+class ConvertedFiles {
+ public:
+  /// Takes the names; throws Error (kOutput) where a file cannot be written. `report` may be empty,
+  /// `output` "-".
+  ConvertedFiles(const std::string& output, const std::string& report);
+
+  /// Writes the map, reads the file back and returns what validation finds in it.
+  std::vector<Finding> write_map(const Map& map, double resolution_m, Console& console);
+  void write_sidecar(const std::optional<Georeference>& georeference);
+  void write_report(const converter::Ledger& ledger);
+
+  /// Gives map and sidecar their names.
+  void commit_map();
+  /// Gives the report its name.
+  void commit_report();
+
+ private:
+  std::string output_;
+  std::unique_ptr<TemporaryFile> map_, sidecar_, report_;
+};
+
+}  // namespace mapwright::cli
