@@ -29,16 +29,20 @@ constexpr std::array<KindStyle, 9> kStyles = {{
     {"low wall", Colour::from_hex(0xFFFFFF, 0.0), Colour::from_hex(0xD98548), 1.1},
 }};
 
-bool is_green(const Obstacle& obstacle) {
-  return std::any_of(kGreenLabels.begin(), kGreenLabels.end(),
+constexpr std::array<std::string_view, 4> kColumnLabels = {"column", "pillar", "post", "columna"};
+
+template <std::size_t n>
+bool has_one_of(const Obstacle& obstacle, const std::array<std::string_view, n>& labels) {
+  return std::any_of(labels.begin(), labels.end(),
                      [&](std::string_view label) { return obstacle.semantic.has_label(label); });
 }
 
 ObstacleKind solid_kind(const Obstacle& obstacle) {
   const double area_m2 = signed_area_m2(chain_points(obstacle));
   if (area_m2 < 0.0) return ObstacleKind::kRoom;
-  if (is_green(obstacle)) return ObstacleKind::kGreen;
+  if (has_one_of(obstacle, kGreenLabels)) return ObstacleKind::kGreen;
   if (max_height_m(obstacle) < kHigh_m) return ObstacleKind::kLowSolid;
+  if (has_one_of(obstacle, kColumnLabels)) return ObstacleKind::kColumn;
   return area_m2 < kColumnArea_m2 ? ObstacleKind::kColumn : ObstacleKind::kBuilding;
 }
 

@@ -48,12 +48,17 @@ std::vector<Interval> intersection(const std::vector<Interval>& p, const std::ve
 
 std::string label_text(const Shape& shape, PictureLabels labels) {
   const Obstacle& obstacle = *shape.obstacle;
+  const bool is_hole = obstacle.semantic.value(semantic_key::kInnerOf).has_value();
+  if (is_hole && labels != PictureLabels::kIds) return "";
   if (labels == PictureLabels::kIds) return std::to_string(obstacle.id);
   if (labels == PictureLabels::kNames) {
     return std::string(obstacle.semantic.value(semantic_key::kName).value_or(""));
   }
-  if (shape.kind == ObstacleKind::kRamp || shape.kind == ObstacleKind::kRoom) return "";
-  return plain_number(max_height_m(obstacle));
+  if (shape.kind == ObstacleKind::kRamp) return "";
+  // As exact as a person cares for: centimetres of a step, decimetres of a house.
+  const double height_m = max_height_m(obstacle);
+  const double unit_m = height_m < 10.0 ? 0.01 : 0.1;
+  return plain_number(std::round(height_m / unit_m) * unit_m);
 }
 
 bool overlap(const Box& a, const Box& b) {
@@ -92,10 +97,10 @@ class Placer {
     return shape.kind != ObstacleKind::kWall && shape.kind != ObstacleKind::kLowWall;
   }
 
-  // Stairs and ramps carry an arrow where the label would stand.
+  // Stairs and ramps carry an arrow where the label would stand, and columns are dark.
   static bool is_plain_area(const Shape& shape) {
     return is_area(shape) && shape.kind != ObstacleKind::kStairs &&
-           shape.kind != ObstacleKind::kRamp;
+           shape.kind != ObstacleKind::kRamp && shape.kind != ObstacleKind::kColumn;
   }
 
   Box page_box(const Segment& segment) const {

@@ -87,21 +87,33 @@ std::optional<Point> uphill_of_stairs(const Obstacle& stairs) {
   return middle(*top) - middle(*foot);
 }
 
-// Along `uphill` through the middle of the shape, inside of its box.
+// How far one can go from `centre` along the unit vector and against it before meeting the ring.
+double free_reach(const std::vector<Point>& ring, Point centre, Point direction) {
+  double reach = HUGE_VAL;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i] - centre;
+    const Point b = ring[(i + 1) % ring.size()] - centre;
+    const double side_a = cross(direction, a);
+    const double side_b = cross(direction, b);
+    if ((side_a <= 0.0) == (side_b <= 0.0)) continue;
+    const Point crossing = a + (side_a / (side_a - side_b)) * (b - a);
+    reach = std::min(reach, std::abs(dot(crossing, direction)));
+  }
+  return reach;
+}
+
+// Along `uphill` through the middle of the shape, within it.
 void draw_uphill_arrow(Canvas& canvas, const View& view, const Shape& shape, Point uphill) {
   const double size = length(uphill);
   if (size == 0.0 || !std::isfinite(size)) return;
   const Point direction = (1.0 / size) * Point{uphill.x, -uphill.y};  // the page's y runs down
-  const Point centre{(shape.box.min_x + shape.box.max_x) / 2,
-                     (shape.box.min_y + shape.box.max_y) / 2};
-  double reach = 0.0;
-  double across = 0.0;
-  for (const Point p : shape.rings.front()) {
-    reach = std::max(reach, std::abs(dot(p - centre, direction)));
-    across = std::max(across, std::abs(cross(p - centre, direction)));
-  }
-  reach *= 0.72;
-  if (2.0 * reach < kLeastArrow_pt || across < 3.0) return;
+  const Point across{-direction.y, direction.x};
+  const auto& ring = shape.rings.front();
+  Point centre;
+  for (const Point p : ring) centre = centre + (1.0 / static_cast<double>(ring.size())) * p;
+  const double reach = 0.72 * free_reach(ring, centre, direction);
+  const double room = free_reach(ring, centre, across);
+  if (!std::isfinite(reach) || 2.0 * reach < kLeastArrow_pt || room < kLeastArrow_pt / 3) return;
   draw_arrow(canvas, centre - reach * direction, centre + reach * direction,
              {kind_style(shape.kind).line, 0.8 * view.line_scale()});
 }
