@@ -69,18 +69,18 @@ make_campus() {
   rm campus/geojson.tmp.gpkg
 }
 
-# The square is drawn in the report's own frame, and its files state no coordinate system.
+# The square is drawn in the report's own frame, and its files state no coordinate system. The
+# converter numbers obstacles in the order of the layers' names, so that arcade and fittings give
+# columns 1 and 2 and bench 13 the numbers the report prints.
 make_fib_square() {
-  local name
+  local drawing name
   rm -rf fib_square/fib_square.gpkg fib_square/shp
   mkdir -p fib_square/shp
-  # Columns and furniture first: the converter numbers obstacles in the order of the layers, which
-  # gives columns 1 and 2, bench 13 and stairs 26 the numbers the report prints.
-  for name in columns street_furniture step_lines buildings stairways walls ramps extent; do
-    layer fib_square/fib_square.gpkg '*' "fib_square/drawing/$name.csv" \
+  for drawing in fib_square/drawing/*.csv; do
+    name=$(basename "$drawing" .csv)
+    layer fib_square/fib_square.gpkg '*' "$drawing" \
       -f GPKG -update -append -lco GEOMETRY_NAME=geom -lco SPATIAL_INDEX=NO
-    layer "fib_square/shp/$name.shp" '*' "fib_square/drawing/$name.csv" \
-      -lco "$dbf_date" -lco ENCODING=UTF-8
+    layer "fib_square/shp/$name.shp" '*' "$drawing" -lco "$dbf_date" -lco ENCODING=UTF-8
   done
 }
 
