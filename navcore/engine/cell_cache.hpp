@@ -1,0 +1,121 @@
+// Private to this folder: the lists of the cells that were visited lately.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "navcore/engine/cell_compiler.hpp"
+#include "navcore/engine/packed_cell.hpp"
+
+namespace mapwright::navcore::engine {
+
+/// A cell of the square grid over the plane; cell (0, 0) has its lower left corner at the origin of
+/// the map frame.
+struct CellKey {
+  std::int32_t column = 0;
+  std::int32_t row = 0;
+
+  friend bool operator==(const CellKey&, const CellKey&) = default;
+};
+
+/// floor(x), without the library call that the baseline instruction set needs for it.
+inline std::int32_t whole_cells(double x) {
+  const auto truncated = static_cast<std::int32_t>(x);
+  return truncated - (x < truncated ? 1 : 0);
+}
+
+/// Memory that is only ever freed as a whole.
+class Arena {
+ public:
+  /// Aligned to a line.
+  std::byte* allocate(std::size_t bytes);
+  std::size_t bytes() const { return bytes_; }  ///< taken from the system
+
+ private:
+  struct Release {
+    void operator()(std::byte* p) const;
+  };
+  std::vector<std::unique_ptr<std::byte, Release>> chunks_;
+  std::size_t left_ = 0;
+  std::byte* next_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+/// Hash table from cells to their lists (open addressing).
+class CellTable {
+ public:
+  const PackedCell* find(CellKey key) const;
+  void insert(CellKey key, const PackedCell* cell);  ///< requires that it is not in yet
+  std::size_t size() const { return size_; }
+  std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
+
+ private:
+  struct Slot {
+    CellKey key;
+    const PackedCell* cell = nullptr;
+  };
+  std::size_t home(CellKey key) const;
+  void grow();
+
+  std::vector<Slot> slots_;
+  std::size_t size_ = 0;
+};
+
+/// Lists of cells, compiled when first asked for and kept within a budget.
+///
+/// Two generations: when the young one has filled half of the budget it becomes the old one, and
+/// the former old one is freed; what is found in the old one moves to the young one. So what was
+/// used lately stays, and nothing is freed piece by piece.
+///
+/// `find` may be called from many threads at once, `compile_missing` from one, and not meanwhile.
+class CellCache {
+ public:
+  CellCache(const Scene& scene, const Reach& reach, std::size_t budget_bytes);
+
+  const Reach& reach() const { return reach_; }
+  CellKey key_of(Point p) const {
+    return {whole_cells(p.x * cells_per_metre_), whole_cells(p.y * cells_per_metre_)};
+  }
+
+  /// The list of the cell, if it is among the young.
+  const PackedCell* find(CellKey key) const { return young_.table.find(key); }
+
+  /// Makes `find` find all these cells, until the next call; repeated keys are welcome. Compiles by
+  /// up to `threads` threads.
+  void compile_missing(std::span<const CellKey> keys, unsigned threads);
+
+  /// Holds no walls: for poses so far off that cells have no numbers there.
+  const PackedCell* nowhere() const { return nowhere_; }
+
+  std::size_t memory_bytes() const;
+  std::size_t cells() const { return young_.table.size() + old_.table.size(); }
+
+ private:
+  struct Generation {
+    Arena arena;
+    CellTable table;
+
+    std::size_t bytes() const { return arena.bytes() + table.bytes(); }
+  };
+
+  void make_room();
+  bool keep_if_old(CellKey key);
+  void compile(std::span<const CellKey> keys, unsigned threads);
+  Point center_of(CellKey key) const;
+
+  const Scene* scene_;
+  Reach reach_;
+  double cells_per_metre_;
+  std::size_t budget_bytes_;
+  Generation young_, old_;
+  Arena always_;
+  const PackedCell* nowhere_;
+};
+
+/// True if cells have numbers at p.
+bool has_cell(Point p, double cell_size_m);
+
+}  // namespace mapwright::navcore::engine
