@@ -11,9 +11,12 @@ bool is_number(std::string_view text) {
   return read_number(text).status == NumberStatus::kOk;
 }
 
+// `text` with the first `what` in it replaced.
 std::string replaced(std::string_view text, std::string_view what, std::string_view by) {
-  std::string result(text);
-  if (const auto at = result.find(what); at != result.npos) result.replace(at, what.size(), by);
+  const auto at = text.find(what);
+  if (at == text.npos) return std::string(text);
+  std::string result(text.substr(0, at));
+  result.append(by).append(text.substr(at + what.size()));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mapcore/text/byte_counts.hpp"
 #include "mapcore/text/characters.hpp"
 
 namespace mapwright {
@@ -9,21 +10,11 @@ namespace {
 
 constexpr std::size_t kBlockBytes = 4096;
 
-bool is_continuation(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-std::size_t count_characters(std::string_view text) {
-  std::size_t count = 0;
-  for (const char c : text) count += is_continuation(c) ? 0U : 1U;
-  return count;
-}
-
 // The place behind `text`, which begins at `place`.
 TextPlace advanced(TextPlace place, std::string_view text) {
-  const auto breaks = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  if (breaks == 0) return {place.line, place.column + count_characters(text)};
-  return {place.line + breaks, 1 + count_characters(text.substr(text.rfind('\n') + 1))};
+  const std::size_t breaks = text::count_byte(text, '\n');
+  if (breaks == 0) return {place.line, place.column + text::count_characters(text)};
+  return {place.line + breaks, 1 + text::count_characters(text.substr(text.rfind('\n') + 1))};
 }
 
 std::size_t skip_blanks(std::string_view text, std::size_t at) {

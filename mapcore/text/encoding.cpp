@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mapcore/text/byte_counts.hpp"
 #include "mapcore/text/characters.hpp"
 
 namespace mapwright::text {
@@ -16,8 +17,7 @@ bool is_utf16(std::string_view text) {
 }
 
 bool is_text(std::string_view block) {
-  std::size_t controls = 0;
-  for (const char c : block) controls += is_control(c) ? 1U : 0U;
+  const std::size_t controls = count_controls(block);
   return controls < kFewestControls || controls * kBytesPerControl < block.size();
 }
 

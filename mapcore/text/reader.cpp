@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mapcore/text/byte_counts.hpp"
 #include "mapcore/text/characters.hpp"
 #include "mapcore/text/defects.hpp"
 #include "mapcore/text/encoding.hpp"
@@ -22,7 +23,23 @@ std::size_t first_character(std::string_view text) {
   return at;
 }
 
+// Room for the records of a text without defects: S segments and O obstacles have S + O + 1 times '#'
+// and 7 S + 5 O + 5 times ';'. Other texts get no more than the shortest records they could hold.
+void reserve(std::string_view text, MapDocument& document) {
+  constexpr std::size_t kShortestSegment = std::string_view("0;0;0;0;0;0;;#").size();
+  constexpr std::size_t kShortestObstacle = std::string_view("obstacle;0;1;0;;#").size();
+  const std::size_t hashes = text::count_byte(text, '#');
+  const std::size_t semicolons = text::count_byte(text, ';');
+  const std::size_t surplus = 7 * hashes > semicolons + 2 ? 7 * hashes - semicolons - 2 : 0;
+  const std::size_t obstacles = std::min(surplus / 2, text.size() / kShortestObstacle);
+  document.map.obstacles.reserve(obstacles);
+  document.index.obstacle_offsets.reserve(obstacles);
+  document.index.first_segment.reserve(obstacles);
+  document.index.segment_offsets.reserve(std::min(hashes, text.size() / kShortestSegment));
+}
+
 void read_records(std::string_view text, bool is_cut, MapDocument& document, Defects& defects) {
+  reserve(text, document);
   text::SemanticCache semantics;
   text::MapBuilder builder(document, defects);
   text::QuickReader quick(text, builder, semantics);

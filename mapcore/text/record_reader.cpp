@@ -249,7 +249,8 @@ bool RecordReader::read_with_split_semantic(const Run& run, const Opening& openi
   if (holds_a_number(walker)) return false;
   std::string joined;
   for (std::size_t i = wanted; i <= fields; ++i) {
-    joined += (joined.empty() ? "" : ",") + std::string(walker.next().text);
+    if (i > wanted) joined += ',';
+    joined += walker.next().text;
   }
   report_count(opening, fields,
                "; there can be no ';' in a semantic string, read as " + quoted(joined));

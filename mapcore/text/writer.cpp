@@ -15,7 +15,7 @@ namespace {
 
 using text::DecimalFormat;
 
-bool is_writable(std::string_view semantic) {
+[[maybe_unused]] bool is_writable(std::string_view semantic) {
   return semantic.find_first_of(";#\n\r") == semantic.npos;
 }
 

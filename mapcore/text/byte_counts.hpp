@@ -1,0 +1,49 @@
+// Counting bytes of a text; plain loops over bytes that a compiler turns into vector instructions.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "mapcore/text/characters.hpp"
+
+namespace mapwright::text {
+
+/// How many bytes `is_one` (unsigned char → bool) holds for.
+template <class Predicate>
+std::size_t count_bytes(std::string_view text, Predicate is_one) {
+  // Sums of at most 255 ones fit a byte, and bytes are what vectors hold most of.
+  constexpr std::size_t kChunk = 240;
+  std::size_t total = 0;
+  for (std::size_t at = 0; at < text.size(); at += kChunk) {
+    const char* const begin = text.data() + at;
+    const std::size_t size = std::min(kChunk, text.size() - at);
+    std::uint8_t count = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      count = static_cast<std::uint8_t>(count + is_one(static_cast<unsigned char>(begin[i])));
+    }
+    total += count;
+  }
+  return total;
+}
+
+/// Code points: all bytes but those that continue a UTF-8 sequence.
+inline std::size_t count_characters(std::string_view text) {
+  return count_bytes(text, [](unsigned char byte) { return (byte & 0xC0U) != 0x80U; });
+}
+
+inline std::size_t count_byte(std::string_view text, char wanted) {
+  return count_bytes(
+      text, [wanted](unsigned char byte) { return byte == static_cast<unsigned char>(wanted); });
+}
+
+/// Bytes for which `is_control` holds.
+inline std::size_t count_controls(std::string_view text) {
+  return count_bytes(text, [](unsigned char byte) {
+    const auto above_tab = static_cast<unsigned char>(byte - '\t');
+    return static_cast<bool>(((byte < ' ') & (above_tab > '\r' - '\t')) | (byte == 0x7F));
+  });
+}
+
+}  // namespace mapwright::text
