@@ -1,6 +1,7 @@
 # What a person may choose when configuring, and what every target of ours is compiled with.
 option(MAPWRIGHT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(MAPWRIGHT_BUILD_BENCHMARKS "Build the benchmarks" OFF)
+option(MAPWRIGHT_BUILD_FUZZERS "Build the libFuzzer targets (needs clang)" OFF)
 option(MAPWRIGHT_ASSERTIONS "Keep assert() in optimised builds" OFF)
 set(MAPWRIGHT_SANITIZE "" CACHE STRING "Sanitizers to compile with, for example address,undefined")
 
@@ -29,4 +30,8 @@ if(MAPWRIGHT_SANITIZE)
   target_compile_options(mapwright_build_flags INTERFACE
     -fsanitize=${MAPWRIGHT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(mapwright_build_flags INTERFACE -fsanitize=${MAPWRIGHT_SANITIZE})
+endif()
+if(MAPWRIGHT_BUILD_FUZZERS)
+  # The libraries tell a fuzzer which of their branches it has reached.
+  target_compile_options(mapwright_build_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 #include "mapcore/text/characters.hpp"
 #include "mapcore/text/decimal.hpp"
@@ -40,7 +39,7 @@ class QuickReader::Cursor {
 
   bool keyword(std::string_view word) {
     if (left() < static_cast<std::ptrdiff_t>(word.size())) return false;
-    if (std::memcmp(at_, word.data(), word.size()) != 0) return false;
+    if (std::string_view(at_, word.size()) != word) return false;
     return field_end(at_ + word.size());
   }
 
@@ -48,7 +47,7 @@ class QuickReader::Cursor {
   bool same_text(std::string_view expected) {
     if (left() <= static_cast<std::ptrdiff_t>(expected.size())) return false;
     if (at_[expected.size()] != ';') return false;
-    if (std::memcmp(at_, expected.data(), expected.size()) != 0) return false;
+    if (std::string_view(at_, expected.size()) != expected) return false;
     return field_end(at_ + expected.size());
   }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <cstring>
 #include <ostream>
 #include <sstream>
 
@@ -43,9 +42,7 @@ class Block {
       out_.write(text.data(), static_cast<std::streamsize>(text.size()));
       return;
     }
-    char* const at = room_for(text.size());
-    std::memcpy(at, text.data(), text.size());
-    advance_to(at + text.size());
+    advance_to(std::copy(text.begin(), text.end(), room_for(text.size())));
   }
 
  private:
