@@ -26,6 +26,11 @@ std::string decimal(double value, int decimals) {
   return digits == "-0" ? "0" : digits;
 }
 
+// "1 segment", "2 segments".
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 std::string metres(double value) {
   return decimal(value, 3);
 }
@@ -36,15 +41,16 @@ std::string spread_text(const Spread& spread) {
 }
 
 void write_counts(std::ostream& out, const MapSummary& summary) {
-  line(out, "obstacles") << summary.obstacles << " with " << summary.segments << " segments, "
-                         << metres(summary.length_m) << " m in all\n";
+  line(out, "obstacles") << summary.obstacles << " with " << counted(summary.segments, "segment")
+                         << ", " << metres(summary.length_m) << " m in all\n";
   for (std::size_t i = 0; i < kShapeNames.size(); ++i) {
     const auto& count = summary.by_shape_type[i];
     if (count.obstacles == 0) continue;
     line(out, "") << "ST " << i + 1 << ' ' << kShapeNames[i] << ": " << count.obstacles << " with "
-                  << count.segments << " segments\n";
+                  << counted(count.segments, "segment") << '\n';
   }
-  line(out, "in/out") << summary.indoor << " segments indoor, " << summary.outdoor << " outdoor\n";
+  line(out, "in/out") << counted(summary.indoor, "segment") << " indoor, " << summary.outdoor
+                      << " outdoor\n";
 }
 
 void write_extents(std::ostream& out, const MapSummary& summary) {
@@ -104,14 +110,14 @@ void write_summary_text(std::ostream& out, std::string_view path, const MapSumma
   write_extents(out, summary);
   write_compactness(out, summary);
   if (summary.segments > 0) {
-    line(out, "heights") << spread_text(summary.heights_m) << " m; " << summary.zero_heights
-                         << " segments of height 0\n";
+    line(out, "heights") << spread_text(summary.heights_m) << " m; "
+                         << counted(summary.zero_heights, "segment") << " of height 0\n";
   }
   write_circles(out, summary);
-  line(out, "semantics") << summary.distinct_semantics << " different strings\n";
+  line(out, "semantics") << counted(summary.distinct_semantics, "different string") << '\n';
   write_georeference(out, georeference);
-  line(out, "findings") << summary.findings[2] << " errors, " << summary.findings[1]
-                        << " warnings in the text\n";
+  line(out, "findings") << counted(summary.findings[2], "error") << ", "
+                        << counted(summary.findings[1], "warning") << " in the text\n";
 }
 
 }  // namespace mapwright::cli
