@@ -16,7 +16,7 @@
 #include "navcore/planning/path.hpp"
 #include "navcore/planning/planner.hpp"
 #include "navcore/planning/smoothing.hpp"
-#include "navcore/reachability/reachability.hpp"
+#include "navcore/reachability/reachability_map.hpp"
 
 namespace mapwright::bench {
 namespace {
@@ -116,7 +116,7 @@ void measure_reachability(const FreeSpace& space, double radius_m) {
   navcore::ReachabilityOptions options;
   options.radius_m = radius_m;
   const double begin = seconds_now();
-  const navcore::Reachability reachability(space, options);
+  const navcore::ReachabilityMap reachability(space, options);
   std::printf("  reachability of all areas: %.0f ms, %zu cells, %zu areas\n",
               1e3 * (seconds_now() - begin), reachability.cell_count(),
               reachability.areas().size());

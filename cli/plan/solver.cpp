@@ -127,7 +127,7 @@ Route PlanSolver::shortest_over_a_ramp(const std::vector<Point>& stops, std::uin
   return best;
 }
 
-const navcore::Reachability& PlanSolver::reachability() const {
+const navcore::ReachabilityMap& PlanSolver::reachability() const {
   std::call_once(reachability_made_, [this] {
     navcore::ReachabilityOptions options;
     options.radius_m = settings_.radius_m;

@@ -10,7 +10,7 @@
 #include "cli/plan/places.hpp"
 #include "cli/support/planners.hpp"
 #include "navcore/planning/route.hpp"
-#include "navcore/reachability/reachability.hpp"
+#include "navcore/reachability/reachability_map.hpp"
 
 namespace mapwright::cli {
 
@@ -53,7 +53,7 @@ class PlanSolver {
   std::vector<Point> resolved_via() const;
   std::vector<Point> resolved_ramps() const;
   void explain_failure(const std::vector<Point>& stops, PlanAnswer& answer) const;
-  const navcore::Reachability& reachability() const;
+  const navcore::ReachabilityMap& reachability() const;
 
   const Map& map_;
   PlanSettings settings_;
@@ -62,7 +62,7 @@ class PlanSolver {
   std::vector<Point> via_;
   std::vector<Point> ramps_;  // a point on each, where a path has to cross one
   mutable std::once_flag reachability_made_;
-  mutable std::optional<navcore::Reachability> reachability_;
+  mutable std::optional<navcore::ReachabilityMap> reachability_;
 };
 
 }  // namespace mapwright::cli

@@ -7,9 +7,9 @@
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/support/number_table.hpp"
-#include "cli/support/parallel.hpp"
 #include "cli/support/planners.hpp"
 #include "cli/verb.hpp"
+#include "navcore/parallel.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -75,7 +75,7 @@ class Plan : public Verb {
   std::optional<StartAndGoal> query_;
   std::string queries_path_;
   PlanSettings settings_;
-  std::size_t jobs_ = 1;
+  unsigned jobs_ = 1;
   bool with_tree_ = false;
   bool json_ = false;
 };
@@ -129,7 +129,7 @@ void Plan::configure(const po::variables_map& values) {
   };
   settings_.seed = integer("seed", 0, UINT64_MAX);
   settings_.rrt.max_iterations = integer("max-iterations", 1, 1'000'000'000);
-  jobs_ = integer("jobs", 0, 1024);
+  jobs_ = static_cast<unsigned>(integer("jobs", 0, 1024));
   settings_.radius_m = number_option(values, "radius", {});
   settings_.rrt.max_extension_m = number_option(values, "max-extension", {});
   settings_.rrt.goal_bias =
@@ -198,8 +198,10 @@ ExitStatus Plan::run(Console& console) {
   }
   const PlanSolver solver(document.map, settings_);
   std::vector<PlanAnswer> answers(queries.size());
-  for_each_item(queries.size(), jobs_,
-                [&](std::size_t i) { answers[i] = solver.answer(queries[i], i); });
+  const auto solve = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) answers[i] = solver.answer(queries[i], i);
+  };
+  navcore::parallel_for(queries.size(), 1, jobs_, solve);
   if (json_) {
     write_plan_json(console.out(), settings_, answers, with_tree_);
   } else {

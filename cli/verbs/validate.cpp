@@ -1,9 +1,4 @@
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
 #include <iomanip>
-#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -11,8 +6,8 @@
 #include "cli/support/files.hpp"
 #include "cli/support/findings_text.hpp"
 #include "cli/support/map_files.hpp"
+#include "cli/support/map_reports.hpp"
 #include "cli/verb.hpp"
-#include "mapcore/georeference.hpp"
 #include "validators/check_pages.hpp"
 #include "validators/report/report.hpp"
 #include "validators/validator.hpp"
@@ -21,7 +16,6 @@ namespace mapwright::cli {
 namespace {
 
 namespace po = boost::program_options;
-namespace fs = std::filesystem;
 using validators::MapReport;
 
 constexpr std::string_view kDescription =
@@ -40,77 +34,11 @@ Examples:
   mapwright validate --list
 )";
 
-bool is_colour_terminal(const Console& console) {
-  return &console.out() == &std::cout && isatty(STDOUT_FILENO) == 1 &&
-         std::getenv("NO_COLOR") == nullptr;
-}
-
-// The finding about the sidecar of a map; nothing where there is none or all is well.
-std::optional<Finding> sidecar_finding(const std::string& map_path) {
-  if (map_path == "-") return std::nullopt;
-  const std::string path = sidecar_path(map_path);
-  std::error_code error;
-  if (!fs::exists(path, error)) return std::nullopt;
-  const auto georeference = parse_georeference(read_file(path));
-  if (georeference) return std::nullopt;
-  return make_finding(FindingCode::C101, path + ": " + georeference.error().message);
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-/// What the summary line and the exit status need to know of all maps.
-struct Totals {
-  std::size_t maps = 0, unreadable = 0, failed = 0, errors = 0, warnings = 0, notes = 0;
-
-  void add(const MapReport& report) {
-    ++maps;
-    unreadable += report.unreadable ? 1 : 0;
-    failed += !report.unreadable && !report.passes() ? 1 : 0;
-    for (const auto& finding : report.findings) {
-      switch (finding.severity) {
-        case Severity::kError:
-          ++errors;
-          break;
-        case Severity::kWarning:
-          ++warnings;
-          break;
-        case Severity::kNote:
-          ++notes;
-          break;
-      }
-    }
-  }
-
-  std::string summary() const {
-    std::string text = counted(maps, "map") + ": ";
-    text += std::to_string(maps - failed - unreadable) + " fit, " + std::to_string(failed) + " not";
-    if (unreadable > 0) text += ", " + std::to_string(unreadable) + " unreadable";
-    text += "; " + counted(errors, "error") + ", " + counted(warnings, "warning");
-    if (notes > 0) text += ", " + counted(notes, "note");
-    return text;
-  }
-
-  ExitStatus status() const {
-    if (unreadable > 0) return ExitStatus::kInput;
-    return errors > 0 ? ExitStatus::kNegative : ExitStatus::kSuccess;
-  }
-};
-
 void print_catalogue(std::ostream& out) {
   for (const auto& type : finding_catalogue()) {
     out << type.id << "  " << std::left << std::setw(8) << to_string(type.severity) << "  "
         << std::setw(26) << type.name << "  " << type.summary << '\n';
   }
-}
-
-std::string format_names() {
-  std::string names;
-  for (const auto& format : validators::report_formats()) {
-    names += (names.empty() ? "" : ", ") + std::string(format.name);
-  }
-  return names;
 }
 
 class Validate : public Verb {
@@ -123,7 +51,7 @@ class Validate : public Verb {
     auto add = options.add_options();
     add("map", po::value(&paths_)->composing(), "maps to validate; - reads standard input");
     add("format", po::value(&format_name_)->default_value("text"),
-        ("how to write the findings: " + format_names()).c_str());
+        ("how to write the findings: " + report_format_names()).c_str());
     add("output,o", po::value(&output_)->default_value("-"),
         "where to write them; - is standard output");
     add("list", po::bool_switch(&list_),
@@ -138,10 +66,7 @@ class Validate : public Verb {
       explained_ = finding_code(explain_);
       if (!explained_) fail_usage("--explain: there is no finding '" + explain_ + "'; see --list");
     }
-    format_ = validators::find_report_format(format_name_);
-    if (format_ == nullptr) {
-      fail_usage("--format: '" + format_name_ + "' is none of " + format_names());
-    }
+    format_ = &find_report_format(format_name_);
     if (paths_.empty() && !list_ && !explained_) fail_usage("name a map to validate");
   }
 
@@ -170,7 +95,7 @@ class Validate : public Verb {
   }
 
   void report_map(const std::string& path, validators::ReportWriter& writer, Console& console) {
-    MapReport report{display_path(path), {}, {}, {}};
+    MapReport report{display_path(path), {}, {}, {}, {}};
     MapDocument document;
     try {
       document = read_map_file(path);
@@ -193,7 +118,7 @@ class Validate : public Verb {
   bool list_ = false;
   std::optional<FindingCode> explained_;
   const validators::ReportFormat* format_ = nullptr;
-  Totals totals_;
+  ReportTotals totals_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "navcore/reachability/reachability.hpp"
+#include "navcore/reachability/reachability_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,9 +30,9 @@ Map rooms_with_door(double width_m) {
   return map10({hollow(1, 0, 0, 10, 10), box(2, 4.9, 0, 5.1, low), box(3, 4.9, high, 5.1, 10)});
 }
 
-TEST(Reachability, EmptyMapIsOneArea) {
+TEST(ReachabilityMap, EmptyMapIsOneArea) {
   const FreeSpace space(map10({}));
-  const Reachability reach(space, with_radius(0.5));
+  const ReachabilityMap reach(space, with_radius(0.5));
   ASSERT_EQ(reach.areas().size(), 1U);
   EXPECT_NEAR(reach.areas()[0].area_m2, 81.0, 3.0);
   EXPECT_TRUE(reach.areas()[0].is_connected);
@@ -41,69 +41,69 @@ TEST(Reachability, EmptyMapIsOneArea) {
   EXPECT_EQ(reach.connected({0.4, 1}, {9, 9}), Connection::kNo);  // too near to the border
 }
 
-TEST(Reachability, DoorIsWideEnoughOrNotToTheCentimetre) {
+TEST(ReachabilityMap, DoorIsWideEnoughOrNotToTheCentimetre) {
   const FreeSpace space(rooms_with_door(0.8));
   for (const double radius : {0.1, 0.3, 0.39, 0.395}) {
-    const Reachability reach(space, with_radius(radius));
+    const ReachabilityMap reach(space, with_radius(radius));
     EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kYes) << radius;
     ASSERT_EQ(reach.areas().size(), 1U) << radius;
     EXPECT_TRUE(reach.areas()[0].is_connected) << radius;
   }
   for (const double radius : {0.405, 0.41, 0.6, 1.5}) {
-    const Reachability reach(space, with_radius(radius));
+    const ReachabilityMap reach(space, with_radius(radius));
     EXPECT_EQ(reach.connected({2, 2}, {8, 2}), Connection::kNo) << radius;
     ASSERT_EQ(reach.areas().size(), 2U) << radius;
     EXPECT_NEAR(reach.largest_fraction(), 0.5, 0.02) << radius;
   }
 }
 
-TEST(Reachability, DoorAsWideAsTheRobotIsLeftUndecided) {
+TEST(ReachabilityMap, DoorAsWideAsTheRobotIsLeftUndecided) {
   const FreeSpace space(rooms_with_door(0.8));
-  const Reachability reach(space, with_radius(0.4));
+  const ReachabilityMap reach(space, with_radius(0.4));
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kUndecided);
   ASSERT_EQ(reach.areas().size(), 1U);
   EXPECT_FALSE(reach.areas()[0].is_connected);
 }
 
-TEST(Reachability, CoarseCellsAreSplitWhereADoorNeedsIt) {
+TEST(ReachabilityMap, CoarseCellsAreSplitWhereADoorNeedsIt) {
   const FreeSpace space(rooms_with_door(0.8));
   ReachabilityOptions options = with_radius(0.39);
   options.resolution_m = 0.5;
-  EXPECT_EQ(Reachability(space, options).connected({1, 1}, {9, 1}), Connection::kYes);
+  EXPECT_EQ(ReachabilityMap(space, options).connected({1, 1}, {9, 1}), Connection::kYes);
   options.radius_m = 0.41;
-  EXPECT_EQ(Reachability(space, options).connected({1, 1}, {9, 1}), Connection::kNo);
+  EXPECT_EQ(ReachabilityMap(space, options).connected({1, 1}, {9, 1}), Connection::kNo);
 }
 
-TEST(Reachability, FenceSeparatesARobotWithARadius) {
+TEST(ReachabilityMap, FenceSeparatesARobotWithARadius) {
   const FreeSpace space(map10({wall(1, {{5, 0}, {5, 10}})}));
-  const Reachability reach(space, with_radius(0.1));
+  const ReachabilityMap reach(space, with_radius(0.1));
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kNo);
   EXPECT_EQ(reach.areas().size(), 2U);
 }
 
-TEST(Reachability, FenceIsNeverProvedToStopAPointRobot) {
+TEST(ReachabilityMap, FenceIsNeverProvedToStopAPointRobot) {
   const FreeSpace space(map10({wall(1, {{5, 0}, {5, 10}})}));
-  const Reachability reach(space, with_radius(0.0));
+  const ReachabilityMap reach(space, with_radius(0.0));
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kUndecided);
   EXPECT_EQ(reach.connected({1, 1}, {1, 9}), Connection::kYes);
 }
 
-TEST(Reachability, SolidWallStopsAPointRobot) {
+TEST(ReachabilityMap, SolidWallStopsAPointRobot) {
   const FreeSpace space(map10({box(1, 4.5, -1, 5.5, 11)}));
-  EXPECT_EQ(Reachability(space, with_radius(0.0)).connected({1, 1}, {9, 1}), Connection::kNo);
+  EXPECT_EQ(ReachabilityMap(space, with_radius(0.0)).connected({1, 1}, {9, 1}), Connection::kNo);
 }
 
-TEST(Reachability, CrossingAndOverlappingObstaclesSeparateToo) {
+TEST(ReachabilityMap, CrossingAndOverlappingObstaclesSeparateToo) {
   const FreeSpace space(map10({wall(1, {{0, 4}, {6, 6}}), wall(2, {{4, 6}, {8, 3}}),
                                box(3, 7, 2, 9, 4), box(4, 8.5, 3, 11, 5)}));
-  const Reachability reach(space, with_radius(0.2));
+  const ReachabilityMap reach(space, with_radius(0.2));
   EXPECT_EQ(reach.connected({1, 1}, {1, 9}), Connection::kNo);
   EXPECT_EQ(reach.connected({1, 1}, {9.5, 1}), Connection::kYes);
 }
 
-TEST(Reachability, NamesTheAreasWithSizeAndPlace) {
+TEST(ReachabilityMap, NamesTheAreasWithSizeAndPlace) {
   const FreeSpace space(map10({box(1, 1, 1, 5, 5), hollow(2, 2, 2, 4, 4, "inner_of=1")}));
-  const Reachability reach(space, with_radius(0.25));
+  const ReachabilityMap reach(space, with_radius(0.25));
   ASSERT_EQ(reach.areas().size(), 2U);
   const ReachableArea& court = reach.areas()[1];
   EXPECT_NEAR(court.area_m2, 1.5 * 1.5, 0.2);
@@ -116,29 +116,29 @@ TEST(Reachability, NamesTheAreasWithSizeAndPlace) {
   EXPECT_FALSE(reach.area_at({1.5, 1.5}).has_value());
 }
 
-TEST(Reachability, NowhereToStand) {
+TEST(ReachabilityMap, NowhereToStand) {
   const FreeSpace full(map10({box(1, -1, -1, 11, 11)}));
-  EXPECT_TRUE(Reachability(full, with_radius(0.0)).areas().empty());
+  EXPECT_TRUE(ReachabilityMap(full, with_radius(0.0)).areas().empty());
   const FreeSpace open(map10({}));
-  EXPECT_TRUE(Reachability(open, with_radius(5.1)).areas().empty());
+  EXPECT_TRUE(ReachabilityMap(open, with_radius(5.1)).areas().empty());
   const FreeSpace inverted(map({10, 0, 0, 10}, {}));
-  EXPECT_TRUE(Reachability(inverted, with_radius(0.1)).areas().empty());
-  EXPECT_EQ(Reachability(inverted, with_radius(0.1)).largest_fraction(), 0.0);
+  EXPECT_TRUE(ReachabilityMap(inverted, with_radius(0.1)).areas().empty());
+  EXPECT_EQ(ReachabilityMap(inverted, with_radius(0.1)).largest_fraction(), 0.0);
 }
 
-TEST(Reachability, MemoryLimitLeavesTheRestUndecided) {
+TEST(ReachabilityMap, MemoryLimitLeavesTheRestUndecided) {
   const FreeSpace space(rooms_with_door(0.8));
   ReachabilityOptions options = with_radius(0.39);
   options.max_cells = 400;
-  const Reachability reach(space, options);
+  const ReachabilityMap reach(space, options);
   EXPECT_LE(reach.cell_count(), 400U);
   EXPECT_EQ(reach.connected({1, 1}, {9, 1}), Connection::kUndecided);
 }
 
-TEST(Reachability, OblongBorders) {
+TEST(ReachabilityMap, OblongBorders) {
   const FreeSpace space(map({0, 2, 200, 0}, {wall(1, {{100, 0}, {100, 0.9}})}));
-  EXPECT_EQ(Reachability(space, with_radius(0.5)).connected({1, 1}, {199, 1}), Connection::kYes);
-  EXPECT_EQ(Reachability(space, with_radius(0.6)).connected({1, 1}, {199, 1}), Connection::kNo);
+  EXPECT_EQ(ReachabilityMap(space, with_radius(0.5)).connected({1, 1}, {199, 1}), Connection::kYes);
+  EXPECT_EQ(ReachabilityMap(space, with_radius(0.6)).connected({1, 1}, {199, 1}), Connection::kNo);
 }
 
 // A cluttered map of overlapping boxes and walls at all angles.
@@ -198,7 +198,7 @@ class FloodFill {
   int count_ = 0;
 };
 
-TEST(Reachability, NeverContradictsFloodFill) {
+TEST(ReachabilityMap, NeverContradictsFloodFill) {
   int decided = 0;
   int no = 0;
   int all = 0;
@@ -206,7 +206,7 @@ TEST(Reachability, NeverContradictsFloodFill) {
     const FreeSpace space(clutter(seed));
     const double radius = 0.05 + 0.1 * static_cast<double>(seed % 5);
     const FloodFill flood(space, radius);
-    const Reachability reach(space, with_radius(radius));
+    const ReachabilityMap reach(space, with_radius(radius));
     Random random(seed);
     for (int k = 0; k < 60; ++k) {
       const int i = static_cast<int>(random.below(FloodFill::kSide * FloodFill::kSide));
@@ -226,10 +226,10 @@ TEST(Reachability, NeverContradictsFloodFill) {
   EXPECT_GT(decided, 0.98 * all);
 }
 
-TEST(Reachability, WhatIsConnectedIsPlannedAndWhatIsNotIsNot) {
+TEST(ReachabilityMap, WhatIsConnectedIsPlannedAndWhatIsNotIsNot) {
   for (std::uint64_t seed = 100; seed < 130; ++seed) {
     const FreeSpace space(clutter(seed));
-    const Reachability reach(space, with_radius(0.2));
+    const ReachabilityMap reach(space, with_radius(0.2));
     Random random(seed);
     const auto a = space.sample(random, 0.2);
     const auto b = space.sample(random, 0.2);

@@ -35,7 +35,11 @@ class JsonReport : public ReportWriter {
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
       out_ << (i == 0 ? "\n        " : ",\n        ") << finding_json(report.findings[i]);
     }
-    out_ << (report.findings.empty() ? "]" : "\n      ]") << "\n    }";
+    out_ << (report.findings.empty() ? "]" : "\n      ]");
+    for (const auto& section : report.sections) {
+      if (!section.key.empty()) out_ << ",\n      " << dumped(section.key) << ": " << section.json;
+    }
+    out_ << "\n    }";
     first_ = false;
   }
 

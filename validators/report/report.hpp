@@ -12,12 +12,20 @@
 
 namespace mapwright::validators {
 
+/// What a verb says of a map beside findings.
+struct ReportSection {
+  std::string key;   ///< member of the map's object in JSON; empty: not in JSON
+  std::string json;  ///< its value
+  std::string line;  ///< the same for people
+};
+
 /// What validation said of one map.
 struct MapReport {
   std::string_view path;  ///< as messages name it
   std::string_view text;  ///< of the map, for excerpts; may be empty
   std::vector<Finding> findings;
-  std::optional<std::string> unreadable;  ///< why the map could not be read at all
+  std::optional<std::string> unreadable;     ///< why the map could not be read at all
+  std::vector<ReportSection> sections = {};  ///< behind the findings; of an unreadable map none
 
   /// True if the map could be read and nothing of severity error was found.
   bool passes() const { return !unreadable && !has_errors(findings); }

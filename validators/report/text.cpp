@@ -58,6 +58,10 @@ class TextReport : public ReportWriter {
         out_ << painted(excerpt(line, finding.place->column), kGreen, colour_);
       }
     }
+    for (const auto& section : report.sections) {
+      out_ << painted(std::string(report.path) + ":", kBold, colour_) << ' ' << section.line
+           << '\n';
+    }
   }
 
   void finish() override {}

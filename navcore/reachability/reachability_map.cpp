@@ -1,4 +1,4 @@
-#include "navcore/reachability/reachability.hpp"
+#include "navcore/reachability/reachability_map.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -41,7 +41,7 @@ Box usable_box(const Border& border) {
 
 }  // namespace
 
-Reachability::Reachability(const FreeSpace& space, const ReachabilityOptions& options)
+ReachabilityMap::ReachabilityMap(const FreeSpace& space, const ReachabilityOptions& options)
     : space_(&space),
       radius_m_(options.radius_m),
       resolution_m_(chosen_resolution_m(space.border(), options)),
@@ -57,7 +57,7 @@ Reachability::Reachability(const FreeSpace& space, const ReachabilityOptions& op
   area_groups_.resize(areas_.size());
 }
 
-void Reachability::label() {
+void ReachabilityMap::label() {
   sure_ = UnionFind(tree_.size());
   possible_ = UnionFind(tree_.size());
   for (CellTree::Cell cell = 0; cell < tree_.size(); ++cell) {
@@ -72,7 +72,7 @@ void Reachability::label() {
   }
 }
 
-void Reachability::list_areas() {
+void ReachabilityMap::list_areas() {
   struct Found {
     ReachableArea area;
     CellTree::Cell largest = CellTree::kNone;
@@ -112,12 +112,12 @@ void Reachability::list_areas() {
   }
 }
 
-double Reachability::largest_fraction() const {
+double ReachabilityMap::largest_fraction() const {
   return areas_.empty() ? 0.0 : areas_.front().area_m2 / free_area_m2_;
 }
 
 // Looks around a point in an undecided cell, breadth first through undecided cells.
-std::uint32_t Reachability::free_cell_in_sight(Point p, CellTree::Cell from) const {
+std::uint32_t ReachabilityMap::free_cell_in_sight(Point p, CellTree::Cell from) const {
   std::unordered_set<CellTree::Cell> seen{from};
   std::deque<CellTree::Cell> queue{from};
   CellTree::Cell found = CellTree::kNone;
@@ -136,7 +136,7 @@ std::uint32_t Reachability::free_cell_in_sight(Point p, CellTree::Cell from) con
   return found;
 }
 
-Reachability::Anchor Reachability::anchor(Point p) const {
+ReachabilityMap::Anchor ReachabilityMap::anchor(Point p) const {
   const CellTree::Cell leaf = tree_.leaf_at(p);
   if (leaf == CellTree::kNone || tree_.passage(leaf) == Passage::kBlocked) return {};
   const CellTree::Cell free =
@@ -145,7 +145,7 @@ Reachability::Anchor Reachability::anchor(Point p) const {
   return {possible_.find(free), sure_.find(free)};
 }
 
-Connection Reachability::connected(Point a, Point b) const {
+Connection ReachabilityMap::connected(Point a, Point b) const {
   if (!space_->is_free(a, radius_m_) || !space_->is_free(b, radius_m_)) return Connection::kNo;
   if (space_->is_free_way(a, b, radius_m_)) return Connection::kYes;
   const Anchor first = anchor(a);
@@ -158,7 +158,7 @@ Connection Reachability::connected(Point a, Point b) const {
   return sure ? Connection::kYes : Connection::kUndecided;
 }
 
-std::optional<std::size_t> Reachability::area_at(Point p) const {
+std::optional<std::size_t> ReachabilityMap::area_at(Point p) const {
   if (!space_->is_free(p, radius_m_)) return std::nullopt;
   const Anchor place = anchor(p);
   if (place.sure == CellTree::kNone) return std::nullopt;

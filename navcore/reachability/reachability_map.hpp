@@ -50,10 +50,10 @@ struct ReachableArea {
 /// The idea is that of Zhu and Latombe (New Heuristic Algorithms for Efficient Hierarchical Path
 /// Planning, 1991) and of Wang, Chiang and Yap (On Soft Predicates in Subdivision Motion Planning,
 /// 2015). Immutable once built; safe to query from many threads.
-class Reachability {
+class ReachabilityMap {
  public:
   /// `space` must outlive this. Requires radius_m ≥ 0.
-  Reachability(const FreeSpace& space, const ReachabilityOptions& options);
+  ReachabilityMap(const FreeSpace& space, const ReachabilityOptions& options);
 
   /// Largest first; those of `min_area_m2` and more.
   const std::vector<ReachableArea>& areas() const { return areas_; }

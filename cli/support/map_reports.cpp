@@ -1,0 +1,87 @@
+#include "cli/support/map_reports.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/support/error.hpp"
+#include "cli/support/files.hpp"
+#include "mapcore/georeference.hpp"
+
+namespace mapwright::cli {
+namespace {
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string report_format_names() {
+  std::string names;
+  for (const auto& format : validators::report_formats()) {
+    names += (names.empty() ? "" : ", ") + std::string(format.name);
+  }
+  return names;
+}
+
+const validators::ReportFormat& find_report_format(const std::string& name) {
+  const auto* format = validators::find_report_format(name);
+  if (format == nullptr) {
+    fail_usage("--format: '" + name + "' is none of " + report_format_names());
+  }
+  return *format;
+}
+
+bool is_colour_terminal(const Console& console) {
+  return &console.out() == &std::cout && isatty(STDOUT_FILENO) == 1 &&
+         std::getenv("NO_COLOR") == nullptr;
+}
+
+std::optional<Finding> sidecar_finding(const std::string& map_path) {
+  if (map_path == "-") return std::nullopt;
+  const std::string path = sidecar_path(map_path);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return std::nullopt;
+  const auto georeference = parse_georeference(read_file(path));
+  if (georeference) return std::nullopt;
+  return make_finding(FindingCode::C101, path + ": " + georeference.error().message);
+}
+
+void ReportTotals::add(const validators::MapReport& report) {
+  ++maps_;
+  unreadable_ += report.unreadable ? 1 : 0;
+  failed_ += !report.unreadable && !report.passes() ? 1 : 0;
+  for (const auto& finding : report.findings) {
+    switch (finding.severity) {
+      case Severity::kError:
+        ++errors_;
+        break;
+      case Severity::kWarning:
+        ++warnings_;
+        break;
+      case Severity::kNote:
+        ++notes_;
+        break;
+    }
+  }
+}
+
+std::string ReportTotals::summary() const {
+  std::string text = counted(maps_, "map") + ": ";
+  text +=
+      std::to_string(maps_ - failed_ - unreadable_) + " fit, " + std::to_string(failed_) + " not";
+  if (unreadable_ > 0) text += ", " + std::to_string(unreadable_) + " unreadable";
+  text += "; " + counted(errors_, "error") + ", " + counted(warnings_, "warning");
+  if (notes_ > 0) text += ", " + counted(notes_, "note");
+  return text;
+}
+
+ExitStatus ReportTotals::status() const {
+  if (unreadable_ > 0) return ExitStatus::kInput;
+  return errors_ > 0 ? ExitStatus::kNegative : ExitStatus::kSuccess;
+}
+
+}  // namespace mapwright::cli

@@ -1,0 +1,42 @@
+// What verbs that report on many maps share.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "cli/support/console.hpp"
+#include "cli/verb.hpp"
+#include "mapcore/finding.hpp"
+#include "validators/report/report.hpp"
+
+namespace mapwright::cli {
+
+/// "text, json …": the report formats there are.
+std::string report_format_names();
+
+/// Throws Error (kUsage) for a name that is not among them.
+const validators::ReportFormat& find_report_format(const std::string& name);
+
+/// True if the verb's results go to a terminal that shows colours (and NO_COLOR is not set).
+bool is_colour_terminal(const Console& console);
+
+/// The finding about the sidecar of a map; nothing where there is none or all is well.
+std::optional<Finding> sidecar_finding(const std::string& map_path);
+
+/// What the summary line and the exit status need to know of all maps.
+class ReportTotals {
+ public:
+  void add(const validators::MapReport& report);
+
+  /// "3 maps: 2 fit, 1 not; 4 errors, 1 warning".
+  std::string summary() const;
+
+  /// kInput where a map could not be read, kNegative for errors found, else kSuccess.
+  ExitStatus status() const;
+
+ private:
+  std::size_t maps_ = 0, unreadable_ = 0, failed_ = 0, errors_ = 0, warnings_ = 0, notes_ = 0;
+};
+
+}  // namespace mapwright::cli

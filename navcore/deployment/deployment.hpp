@@ -1,0 +1,46 @@
+// Sends a simulated robot across a map before a real one goes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mapcore/map.hpp"
+#include "navcore/deployment/localization_trials.hpp"
+#include "navcore/deployment/planning_trials.hpp"
+#include "navcore/reachability/reachability_map.hpp"
+
+namespace mapwright::navcore {
+
+struct DeploymentSettings {
+  double robot_radius_m = 0.3;
+  RampPolicy ramps = RampPolicy::kFree;
+  std::size_t plans = 20;                ///< 0: no planning trials
+  std::size_t localization_trials = 10;  ///< 0: none
+  ExperimentSettings localization;       ///< its robot radius is the one above
+  std::uint64_t seed = 1;
+  unsigned threads = 1;                    ///< 0: one a core. The outcome does not depend on it
+  double reachability_resolution_m = 0.0;  ///< 0 chooses (ReachabilityOptions)
+};
+
+struct ReachabilityOutcome {
+  double radius_m = 0.0;
+  std::vector<ReachableArea> areas;  ///< largest first
+  double largest_fraction = 0.0;
+  double resolution_m = 0.0;
+};
+
+/// What came of it. What was not run is absent.
+struct DeploymentOutcome {
+  ReachabilityOutcome reachability;
+  std::optional<PlanningTrials> planning;
+  std::optional<LocalizationTrials> localization;
+};
+
+/// ReachabilityMap for the robot, planning between random places of the largest area, and global
+/// localization from random places. Nothing is planned or localized where the robot can stand
+/// nowhere. Requires robot_radius_m ≥ 0.
+DeploymentOutcome run_deployment(const Map& map, const DeploymentSettings& settings);
+
+}  // namespace mapwright::navcore
