@@ -13,6 +13,10 @@ int main(int argc, char** argv) {
   mapwright::cli::Console console(std::cout, std::cerr, isatty(STDERR_FILENO) == 1);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const auto status = mapwright::cli::run_program(arguments, console);
-  std::cout.flush();
+  // An answer that did not arrive is no success, whatever it was.
+  if (!std::cout.flush()) {
+    console.error("standard output: cannot be written");
+    return static_cast<int>(mapwright::cli::ExitStatus::kOutput);
+  }
   return static_cast<int>(status);
 }

@@ -18,7 +18,7 @@ Json path_json(const std::vector<Point>& path) {
   return array;
 }
 
-Json tree_json(const std::vector<navcore::TreeEdge>& tree) {
+Json edges_json(const std::vector<navcore::TreeEdge>& tree) {
   Json array = Json::array();
   for (const auto& edge : tree) {
     array.push_back(Json::array({edge.from.x, edge.from.y, edge.to.x, edge.to.y}));
@@ -35,6 +35,7 @@ void add_proofs(const navcore::PlanningResult& result, Json& json) {
   if (result.reachable) json["reachable"] = *result.reachable;
   if (result.bottleneck_m) json["bottleneck_m"] = *result.bottleneck_m;
   if (result.bottleneck_at) json["bottleneck_at"] = point_json(*result.bottleneck_at);
+  if (!result.barrier.empty()) json["barrier"] = edges_json(result.barrier);
 }
 
 Json answer_json(const PlanAnswer& answer, bool with_tree) {
@@ -51,7 +52,7 @@ Json answer_json(const PlanAnswer& answer, bool with_tree) {
   if (!total.solved) json["reason"] = answer.reason;
   if (with_tree) {
     json["raw_path"] = path_json(answer.route.raw_path);
-    json["tree"] = tree_json(total.tree);
+    json["tree"] = edges_json(total.tree);
   }
   return json;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "cli/render/drawers.hpp"
 #include "cli/support/error.hpp"
@@ -24,6 +25,14 @@ const Json& chosen_iteration(const Json& answer, std::optional<std::size_t> iter
     fail_usage("--iteration: the answer has iterations 1 to " + std::to_string(count));
   }
   return iterations.at(number - 1);
+}
+
+// Rows of x, y, theta_deg, weight. Without --with-particles an iteration only says how many.
+const Json& particles_of(const Json& iteration) {
+  for (const char* key : {"particle_set", "particles"}) {
+    if (iteration.contains(key) && iteration.at(key).is_array()) return iteration.at(key);
+  }
+  throw std::runtime_error("it holds no particles; run localize --with-particles");
 }
 
 // Area follows weight, in a few sizes: light particles first.
@@ -56,11 +65,7 @@ void add_robot(const Json& pose, double radius_pt, Colour colour, const char* me
 void draw_localization(const Json& answer, converter::Overlay& overlay,
                        std::optional<std::size_t> iteration) {
   const Json& shown = chosen_iteration(answer, iteration);
-  if (!shown.contains("particles") || !shown.at("particles").is_array()) {
-    throw Error(ExitStatus::kInput,
-                "the localization answer holds no particles; run localize --with-particles");
-  }
-  add_particles(shown.at("particles"), overlay);
+  add_particles(particles_of(shown), overlay);
   if (shown.contains("true_pose")) {
     add_robot(shown.at("true_pose"), 4.0, kTruth, "true pose", overlay);
   }

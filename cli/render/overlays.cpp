@@ -74,6 +74,10 @@ void Answer::draw(converter::Overlay& overlay, std::optional<std::size_t> iterat
     drawer_of(*json_)->draw(*json_, overlay, iteration);
   } catch (const Json::exception& error) {
     fail_answer(path_, std::string("is not as its schema says: ") + error.what());
+  } catch (const Error&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    fail_answer(path_, error.what());
   }
 }
 

@@ -9,6 +9,7 @@ constexpr Colour kTree = Colour::from_hex(0x4C7FB0, 0.75);
 constexpr Colour kRaw = Colour::from_hex(0xD55E00);
 constexpr Colour kPath = Colour::from_hex(0xB0005A);
 constexpr Colour kStart = Colour::from_hex(0x00694D);
+constexpr Colour kBarrier = Colour::from_hex(0xE69F00);
 constexpr Colour kGoal = Colour::from_hex(0xB0005A);
 
 std::vector<Point> points_of(const Json& path) {
@@ -26,6 +27,23 @@ void add_tree(const Json& query, converter::Overlay& overlay) {
   }
   add_legend(overlay, tree, "search tree");
   overlay.items.emplace_back(std::move(tree));
+}
+
+// The narrowest place on the way, and what proves that there is none.
+void add_proofs(const Json& query, converter::Overlay& overlay) {
+  if (query.contains("barrier")) {
+    converter::OverlaySegments barrier{{}, {kBarrier, 2.0}};
+    for (const auto& side : query.at("barrier")) {
+      barrier.segments.emplace_back(Point{side.at(0).get<double>(), side.at(1).get<double>()},
+                                    Point{side.at(2).get<double>(), side.at(3).get<double>()});
+    }
+    add_legend(overlay, barrier, "barrier: no way across for this robot");
+    overlay.items.emplace_back(std::move(barrier));
+  }
+  if (!query.contains("bottleneck_at")) return;
+  const converter::OverlayDots dot{{point_of(query.at("bottleneck_at"))}, 2.6, kBarrier};
+  add_legend(overlay, dot, "bottleneck: narrowest place of the widest way");
+  overlay.items.emplace_back(dot);
 }
 
 void add_path(const Json& query, const char* key, const converter::Stroke& stroke,
@@ -52,6 +70,7 @@ void draw_plan(const Json& answer, converter::Overlay& overlay) {
     add_path(query, "raw_path", {kRaw, 1.2, {3.0, 2.0}}, "path as found", overlay);
     add_path(query, "path", {Colour::from_hex(0xFFFFFF, 0.8), 3.6}, nullptr, overlay);
     add_path(query, "path", {kPath, 2.0}, "path", overlay);
+    add_proofs(query, overlay);
     add_place(query.at("start"), 3.2, kStart, "start", overlay);
     add_place(query.at("goal"), 3.2, kGoal, "goal", overlay);
   }

@@ -30,7 +30,9 @@ namespace fs = std::filesystem;
   throw Error(ExitStatus::kOutput, path + ": " + why);
 }
 
-std::string system_reason() { return std::strerror(errno); }
+std::string system_reason() {
+  return std::strerror(errno);
+}
 
 // Names of the temporary files that exist now, where a signal handler can read them: plain
 // characters, no allocation. More than this many are open at no time.
@@ -64,6 +66,22 @@ extern "C" void on_interrupt(int signal) {
   }
   std::signal(signal, SIG_DFL);
   std::raise(signal);
+}
+
+// The file a link names: renaming onto the link itself would put a file in its place.
+std::string through_links(std::string target) {
+  std::error_code error;
+  if (!fs::is_symlink(target, error)) return target;
+  const fs::path file = fs::weakly_canonical(target, error);
+  return error ? target : file.string();
+}
+
+// Devices and pipes (/dev/null, /dev/stdout, <(...)) are written to; a rename would replace them.
+bool is_device(const std::string& target) {
+  std::error_code error;
+  const auto type = fs::status(target, error).type();
+  return type == fs::file_type::character || type == fs::file_type::block ||
+         type == fs::file_type::fifo || type == fs::file_type::socket;
 }
 
 // A fresh name beside the target, created empty so that nobody else takes it.
@@ -120,9 +138,13 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   temporary.commit();
 }
 
-TemporaryFile::TemporaryFile(std::string target) : target_(std::move(target)) {
+TemporaryFile::TemporaryFile(std::string target) : target_(through_links(std::move(target))) {
   std::error_code error;
   if (fs::is_directory(target_, error)) fail_output(target_, "is a folder, not a file");
+  if (is_device(target_)) {
+    path_ = target_;
+    return;
+  }
   const fs::path folder = fs::path(target_).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, error)) {
     fail_output(target_, "cannot be written: there is no folder " + folder.string());
@@ -132,11 +154,13 @@ TemporaryFile::TemporaryFile(std::string target) : target_(std::move(target)) {
 }
 
 TemporaryFile::~TemporaryFile() {
+  if (path_ == target_) return;
   if (!committed_) ::unlink(path_.c_str());
   forget(path_);
 }
 
 void TemporaryFile::commit() {
+  if (path_ == target_) return;
   if (::rename(path_.c_str(), target_.c_str()) != 0) {
     fail_output(target_, "cannot be written: " + system_reason());
   }

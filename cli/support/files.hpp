@@ -11,7 +11,8 @@ namespace mapwright::cli {
 std::string read_file(const std::string& path);
 
 /// Writes through a temporary file beside `path` that is renamed when complete, so that the target
-/// is either the old file or the whole new one; to standard output for "-". Throws Error (kOutput).
+/// is either the old file or the whole new one; a link's file is renamed to, not the link; devices
+/// and pipes are written to as they are; "-" is standard output. Throws Error (kOutput).
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 /// A file that another library writes under a temporary name; `commit` renames it to the target.

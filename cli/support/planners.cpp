@@ -1,9 +1,11 @@
 #include "cli/support/planners.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 #include "cli/support/error.hpp"
+#include "navcore/exact/plan_exact.hpp"
 #include "navcore/planning/planner.hpp"
 
 namespace mapwright::cli {
@@ -24,12 +26,23 @@ LegPlanner make_balanced_rrt(const PlannerContext& context) {
   };
 }
 
+LegPlanner make_exact(const PlannerContext& context) {
+  navcore::ExactOptions options;
+  options.radius_m = context.radius_m;
+  options.ramps = context.ramps;
+  auto planner = std::make_shared<const navcore::ExactPlanner>(
+      value_or_throw(navcore::ExactPlanner::build(context.map, options)));
+  return
+      [planner](const PlanQuery& query, Random&) { return navcore::plan_exact(*planner, query); };
+}
+
 }  // namespace
 
 const std::vector<PlannerEntry>& planners() {
   static const std::vector<PlannerEntry> entries{
       {"rrt", "one random tree, from the start (the report's)", &make_rrt},
       {"balanced-rrt", "two random trees in turns, from start and goal", &make_balanced_rrt},
+      {"exact", "the shortest path there is, or the proof that there is none", &make_exact},
   };
   return entries;
 }

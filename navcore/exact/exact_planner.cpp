@@ -9,6 +9,7 @@
 #include "navcore/exact/free_faces.hpp"
 #include "navcore/exact/offset.hpp"
 #include "navcore/exact/path_search.hpp"
+#include "navcore/exact/widths.hpp"
 
 namespace mapwright::navcore {
 
@@ -108,12 +109,17 @@ struct ExactPlanner::Impl {
   ExactOptions options;
   Border border;
   exact::GridFrame frame;
-  std::vector<std::optional<std::uint32_t>> obstacle_of_source;
+  std::vector<std::uint32_t> obstacle_of_source;
   double snapping_mm = 0.0;
   exact::Tessellation base;                      // for a point; empty where `space` is that
   std::unique_ptr<const SearchableSpace> space;  // for the robot
   mutable std::once_flag decisive_built;
   mutable std::unique_ptr<const SearchableSpace> decisive;  // closer to the truth; made on demand
+
+  mutable std::once_flag widths_built;
+  mutable std::optional<exact::Widths> widths;
+  mutable std::mutex spare_mutex;
+  mutable std::vector<ExactWorkspace> spare_workspaces;
 
   bool is_point() const { return options.radius_m == 0.0; }
   double radius_mm() const { return options.radius_m * 1e3; }
@@ -128,6 +134,11 @@ struct ExactPlanner::Impl {
                  ExactAnswer& answer) const;
   void prove_unreachable(const SearchableSpace& in, Point start, Point goal,
                          ExactAnswer& answer) const;
+  std::optional<std::uint32_t> obstacle_of(std::uint32_t source) const;
+  std::uint32_t source_of_edge(std::uint32_t edge) const;
+  Point from_mm(Point p) const;
+  ExactWorkspace take_workspace() const;
+  void give_back(ExactWorkspace workspace) const;
   BarrierSide to_side(const exact::Barrier& barrier, const exact::BarrierLeg& leg) const;
 };
 
@@ -135,7 +146,7 @@ void ExactPlanner::Impl::build(const Map& map, const std::vector<BlockingSegment
   auto tessellation =
       exact::tessellate(map, options.ramps, frame, exact::map_lines(map, segments, frame));
   snapping_mm = rounding_error_mm(segments, frame) + tessellation.work.displacement_mm;
-  for (const auto& segment : segments) obstacle_of_source.emplace_back(segment.obstacle);
+  for (const auto& segment : segments) obstacle_of_source.push_back(segment.obstacle);
   if (is_point()) {
     space = std::make_unique<SearchableSpace>(std::move(tessellation));
     return;
@@ -173,7 +184,7 @@ bool ExactPlanner::Impl::find_path(const SearchableSpace& in, Point start, Point
   const auto path = exact::find_shortest_path(in.mesh, frame.to_grid(start), frame.to_grid(goal),
                                               cells_at(in, start), cells_at(in, goal), search);
   if (!path) return false;
-  answer.reachability = Reachability::kReachable;
+  answer.verdict = Verdict::kReachable;
   for (const GridPoint p : path->points) answer.path.push_back(frame.to_map(p));
   if (answer.path.front() != start) answer.path.insert(answer.path.begin(), start);
   if (answer.path.back() != goal || answer.path.size() == 1) answer.path.push_back(goal);
@@ -183,13 +194,36 @@ bool ExactPlanner::Impl::find_path(const SearchableSpace& in, Point start, Point
   return true;
 }
 
+std::optional<std::uint32_t> ExactPlanner::Impl::obstacle_of(std::uint32_t source) const {
+  if (source == exact::kBorderSource) return std::nullopt;
+  return obstacle_of_source[source];
+}
+
+std::uint32_t ExactPlanner::Impl::source_of_edge(std::uint32_t edge) const {
+  const exact::LineWork& work = point_space().work;
+  return work.pieces[work.edges[edge].first_piece].source;
+}
+
+Point ExactPlanner::Impl::from_mm(Point p) const {
+  return 1e-3 * p + frame.to_map({0, 0});
+}
+
+ExactWorkspace ExactPlanner::Impl::take_workspace() const {
+  const std::lock_guard lock(spare_mutex);
+  if (spare_workspaces.empty()) return {};
+  ExactWorkspace workspace = std::move(spare_workspaces.back());
+  spare_workspaces.pop_back();
+  return workspace;
+}
+
+void ExactPlanner::Impl::give_back(ExactWorkspace workspace) const {
+  const std::lock_guard lock(spare_mutex);
+  spare_workspaces.push_back(std::move(workspace));
+}
+
 BarrierSide ExactPlanner::Impl::to_side(const exact::Barrier& barrier,
                                         const exact::BarrierLeg& leg) const {
-  const auto obstacle = [&](std::uint32_t line) -> std::optional<std::uint32_t> {
-    const std::uint32_t source = barrier.lines[line].source;
-    if (source == exact::kBorderSource) return std::nullopt;
-    return obstacle_of_source[source];
-  };
+  const auto obstacle = [&](std::uint32_t line) { return obstacle_of(barrier.lines[line].source); };
   return {frame.to_map(leg.from), frame.to_map(leg.to), leg.is_gap(), obstacle(leg.line_from),
           obstacle(leg.line_to)};
 }
@@ -199,8 +233,7 @@ void ExactPlanner::Impl::prove_unreachable(const SearchableSpace& in, Point star
   const auto barrier =
       exact::find_barrier(point_space(), in.tessellation, frame.to_grid(start), frame.to_grid(goal),
                           static_cast<std::int64_t>(radius_mm()));
-  answer.reachability =
-      barrier || is_point() ? Reachability::kUnreachable : Reachability::kUndecided;
+  answer.verdict = barrier || is_point() ? Verdict::kUnreachable : Verdict::kUndecided;
   if (!barrier) return;
   for (const auto& leg : barrier->legs) answer.barrier.push_back(to_side(*barrier, leg));
 }
@@ -229,8 +262,10 @@ PlaceState ExactPlanner::state(Point p) const {
 }
 
 ExactAnswer ExactPlanner::plan(Point start, Point goal) const {
-  ExactWorkspace workspace;
-  return plan(start, goal, workspace);
+  ExactWorkspace workspace = impl_->take_workspace();
+  ExactAnswer answer = plan(start, goal, workspace);
+  impl_->give_back(std::move(workspace));
+  return answer;
 }
 
 ExactAnswer ExactPlanner::plan(Point start, Point goal, ExactWorkspace& workspace) const {
@@ -246,6 +281,21 @@ ExactAnswer ExactPlanner::plan(Point start, Point goal, ExactWorkspace& workspac
   }
   impl_->prove_unreachable(decisive, start, goal, answer);
   return answer;
+}
+
+std::optional<Bottleneck> ExactPlanner::bottleneck(Point a, Point b) const {
+  const auto can_hold = [&](Point p) { return is_finite(p) && impl_->border.contains(p); };
+  if (!can_hold(a) || !can_hold(b)) return std::nullopt;
+  std::call_once(impl_->widths_built, [&] { impl_->widths.emplace(impl_->point_space()); });
+  const auto narrow = impl_->widths->widest_way(impl_->frame.to_grid(a), impl_->frame.to_grid(b));
+  if (!narrow) return std::nullopt;
+  return Bottleneck{narrow->width_mm / 1e3,
+                    impl_->from_mm(narrow->at),
+                    impl_->from_mm(narrow->from),
+                    impl_->from_mm(narrow->to),
+                    impl_->obstacle_of(impl_->source_of_edge(narrow->edge_from)),
+                    impl_->obstacle_of(impl_->source_of_edge(narrow->edge_to)),
+                    narrow->is_end};
 }
 
 std::vector<FreeComponent> ExactPlanner::components() const {

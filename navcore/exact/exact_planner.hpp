@@ -30,7 +30,7 @@ enum class PlaceState {
 /// "inside of an obstacle or too near to one", for messages.
 std::string_view to_string(PlaceState state);
 
-enum class Reachability {
+enum class Verdict {
   kReachable,
   kUnreachable,
   /// Connected or not within the error bound of the offset: a passage is within a few millimetres
@@ -48,7 +48,7 @@ struct BarrierSide {
 
 struct ExactAnswer {
   PlaceState start = PlaceState::kFree, goal = PlaceState::kFree;
-  Reachability reachability = Reachability::kUnreachable;
+  Verdict verdict = Verdict::kUnreachable;
 
   /// The Euclidean shortest path, start first; empty where there is none. For a disc: the shortest
   /// within the offset free space (docs/exact-planning.md states its bound).
@@ -59,6 +59,18 @@ struct ExactAnswer {
   /// that separates them, checked with integers (exact/barrier.hpp). Empty for a point robot where
   /// both places lie on outlines.
   std::vector<BarrierSide> barrier;
+};
+
+/// Where the widest way between two places is narrowest (metres, map frame).
+struct Bottleneck {
+  double width_m = 0.0;  ///< diameter of the largest disc that travels from the one to the other
+  Point at;              ///< where its centre is there
+  Point from, to;        ///< nearest points of the two obstacles that make the gap
+  /// Positions of those in Map::obstacles; nothing for the border.
+  std::optional<std::uint32_t> obstacle_from, obstacle_to;
+  /// Nowhere on the way is it narrower than at start or goal: `at` is that place, and `from` and
+  /// `to` are both the point nearest to it.
+  bool is_end = false;
 };
 
 /// A connected part of the free space.
@@ -99,6 +111,11 @@ class ExactPlanner {
   PlaceState state(Point p) const;
   ExactAnswer plan(Point start, Point goal) const;
   ExactAnswer plan(Point start, Point goal, ExactWorkspace& workspace) const;
+
+  /// The narrowest place of the widest way between two places that are free for a point, whatever
+  /// the planner's radius. Nothing where a place lies on an outline, or no disc travels, however
+  /// small. The first call builds the medial axis of the map; later ones take logarithmic time.
+  std::optional<Bottleneck> bottleneck(Point a, Point b) const;
 
   /// Connected parts of the robot's free space (of its centre), largest first.
   std::vector<FreeComponent> components() const;

@@ -40,6 +40,7 @@ struct PlanningResult {
   std::optional<bool> reachable;       ///< whether there is a way at all
   std::optional<double> bottleneck_m;  ///< width (diameter) of the widest way's narrowest place
   std::optional<Point> bottleneck_at;
+  std::vector<TreeEdge> barrier;  ///< where there is no way: a closed polygon that proves it
 };
 
 /// RRT: a tree grows from the start. In each iteration a random free point is drawn and connects

@@ -73,6 +73,27 @@ TEST_F(PlanVerb, AnswersByTheContract) {
   }
 }
 
+TEST_F(PlanVerb, AnswersExactlyWhereThereIsAWay) {
+  const Json answer = plan_json({"--start", "5,2", "--goal", "19,9", "--planner", "exact"});
+  const Json& query = answer["queries"][0];
+  EXPECT_EQ(query["solved"], true);
+  EXPECT_EQ(query["reachable"], true);
+  EXPECT_NEAR(query["bottleneck_m"], 0.8, 1e-9);
+  EXPECT_EQ(query["bottleneck_at"].size(), 2U);
+  EXPECT_EQ(path_of(query)[1], (Point{9.9, 4.6}));
+  EXPECT_FALSE(query.contains("barrier"));
+}
+
+TEST_F(PlanVerb, AnswersExactlyWhereThereIsNone) {
+  const Json answer =
+      plan_json({"--start", "5,2", "--goal", "19,9", "--planner", "exact", "--radius", "0.41"}, 1);
+  const Json& query = answer["queries"][0];
+  EXPECT_EQ(query["solved"], false);
+  EXPECT_EQ(query["reachable"], false);
+  EXPECT_NEAR(query["bottleneck_m"], 0.8, 1e-9);
+  EXPECT_GE(query["barrier"].size(), 4U);
+}
+
 TEST_F(PlanVerb, TextNamesLengthClearanceAndPoints) {
   const ProgramRun run = plan({"--start", "1,1", "--goal", "9,1"});
   EXPECT_EQ(run.status, 0);

@@ -90,20 +90,11 @@ bool generous_flood_connects(const FreeSpace& space, Point start, Point goal, do
   return false;
 }
 
-Map crowded_map(Random& random) {
-  Map map = test::whole_map(random, 0);
-  for (int i = 0; i < 2; ++i) {
-    const Map more = test::whole_map(random, 0);
-    map.obstacles.insert(map.obstacles.end(), more.obstacles.begin(), more.obstacles.end());
-  }
-  return map;
-}
-
 TEST(Barriers, AreFoundForEveryDiscThatCannotPassAndAFloodConfirmsThem) {
   Random random(21);
   int proofs = 0, confirmed = 0, undecided = 0;
   for (int round = 0; round < 300; ++round) {
-    const Map map = crowded_map(random);
+    const Map map = test::crowded_map(random);
     const double radius_m = 0.2 + 0.1 * static_cast<double>(random.below(9)) + 0.013;
     const auto planner = ExactPlanner::build(map, {.radius_m = radius_m});
     ASSERT_TRUE(planner.has_value());
@@ -113,8 +104,8 @@ TEST(Barriers, AreFoundForEveryDiscThatCannotPassAndAFloodConfirmsThem) {
       const Point b{random.uniform(0, 20), random.uniform(0, 20)};
       const auto answer = planner->plan(a, b);
       if (answer.start != PlaceState::kFree || answer.goal != PlaceState::kFree) continue;
-      if (answer.reachability == Reachability::kUndecided) ++undecided;
-      if (answer.reachability != Reachability::kUnreachable) continue;
+      if (answer.verdict == Verdict::kUndecided) ++undecided;
+      if (answer.verdict != Verdict::kUnreachable) continue;
       ++proofs;
       ASSERT_FALSE(answer.barrier.empty());
       // Where a passage is nearly wide enough, only small cells tell.

@@ -29,7 +29,7 @@ void compare(const Map& map, const ExactPlanner& planner, Point start, Point goa
     return;
   }
   ASSERT_TRUE(space.is_free(start) && space.is_free(goal));
-  ASSERT_EQ(answer.reachability == Reachability::kReachable, expected_m.has_value());
+  ASSERT_EQ(answer.verdict == Verdict::kReachable, expected_m.has_value());
   if (!expected_m) {
     ++tally.unreachable;
     if (!answer.barrier.empty()) ++tally.proofs;

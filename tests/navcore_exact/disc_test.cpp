@@ -39,10 +39,10 @@ TEST(DiscPlanner, DecidesGapsToWithinItsBound) {
   const auto reachable = [&](double radius_m) {
     return planner_of(map, {.radius_m = radius_m}).plan({2, 2}, {8, 8});
   };
-  EXPECT_EQ(reachable(0.495).reachability, Reachability::kReachable);  // coarse tangents refuse
-  EXPECT_EQ(reachable(0.5).reachability, Reachability::kUndecided);
+  EXPECT_EQ(reachable(0.495).verdict, Verdict::kReachable);  // coarse tangents refuse
+  EXPECT_EQ(reachable(0.5).verdict, Verdict::kUndecided);
   const auto blocked = reachable(0.502);
-  EXPECT_EQ(blocked.reachability, Reachability::kUnreachable);
+  EXPECT_EQ(blocked.verdict, Verdict::kUnreachable);
   ASSERT_FALSE(blocked.barrier.empty());
   const auto gap = std::find_if(blocked.barrier.begin(), blocked.barrier.end(),
                                 [](const BarrierSide& side) { return side.is_gap; });

@@ -23,7 +23,7 @@ ExactPlanner planner_of(const Map& map, const ExactOptions& options = {}) {
 
 TEST(ExactPlanner, GoesStraightWhereNothingIsInTheWay) {
   const auto answer = planner_of(empty_map()).plan({1, 1}, {4, 5});
-  EXPECT_EQ(answer.reachability, Reachability::kReachable);
+  EXPECT_EQ(answer.verdict, Verdict::kReachable);
   EXPECT_EQ(answer.path, (std::vector<Point>{{1, 1}, {4, 5}}));
   EXPECT_DOUBLE_EQ(answer.length_m, 5.0);
 }
@@ -38,7 +38,7 @@ TEST(ExactPlanner, GoesAroundABoxByItsCorners) {
 
 TEST(ExactPlanner, LeavesAPlaceForItself) {
   const auto answer = planner_of(empty_map()).plan({1, 1}, {1, 1});
-  EXPECT_EQ(answer.reachability, Reachability::kReachable);
+  EXPECT_EQ(answer.verdict, Verdict::kReachable);
   EXPECT_EQ(answer.path.size(), 2U);
   EXPECT_EQ(answer.length_m, 0.0);
 }
@@ -55,7 +55,7 @@ TEST(ExactPlanner, PassesNoWallWhereTwoOfThemTouch) {
   map.obstacles.push_back(test::wall(1, {0, 5}, {5, 5}, 1.0));
   map.obstacles.push_back(test::wall(2, {5, 5}, {10, 5}, 1.0));
   const auto answer = planner_of(map).plan({5, 2}, {5, 8});
-  EXPECT_EQ(answer.reachability, Reachability::kUnreachable);
+  EXPECT_EQ(answer.verdict, Verdict::kUnreachable);
   EXPECT_FALSE(answer.barrier.empty());
 }
 
@@ -75,7 +75,7 @@ TEST(ExactPlanner, ToleratesCrossingWallsAndObstaclesBeyondTheBorder) {
   const auto planner = planner_of(map);
   EXPECT_EQ(planner.components().size(), 3U);
   EXPECT_LE(planner.snapping_error_m(), 0.002);
-  EXPECT_EQ(planner.plan({0.1, 0.1}, {9, 9}).reachability, Reachability::kUnreachable);
+  EXPECT_EQ(planner.plan({0.1, 0.1}, {9, 9}).verdict, Verdict::kUnreachable);
 }
 
 TEST(ExactPlanner, NamesWhatIsWrongWithAPlace) {

@@ -63,7 +63,7 @@ TEST(PublishedOptima, AuroraIsMetByEveryQuery) {
   ExactWorkspace workspace;
   for (const auto& query : queries) {
     const ExactAnswer answer = planner->plan(query.start, query.goal, workspace);
-    ASSERT_EQ(answer.reachability, Reachability::kReachable);
+    ASSERT_EQ(answer.verdict, Verdict::kReachable);
     EXPECT_NEAR(answer.length_m, query.optimum_m, 1e-4 * query.optimum_m);
   }
 }

@@ -56,4 +56,14 @@ inline Map whole_map(Random& random, int kind) {
   return map;
 }
 
+/// Boxes and walls so close that a disc often finds no way.
+inline Map crowded_map(Random& random) {
+  Map map = whole_map(random, 0);
+  for (int i = 0; i < 2; ++i) {
+    const Map more = whole_map(random, 0);
+    map.obstacles.insert(map.obstacles.end(), more.obstacles.begin(), more.obstacles.end());
+  }
+  return map;
+}
+
 }  // namespace mapwright::test
