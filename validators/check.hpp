@@ -80,6 +80,9 @@ class FindingSink {
   /// About a segment as a whole; stands at its first point.
   void segment(FindingCode code, std::size_t obstacle, std::size_t segment, std::string message);
 
+  /// Gives the last finding another severity than the catalogue's.
+  void soften(Severity severity) { findings_.back().severity = severity; }
+
   std::vector<Finding> take() { return std::move(findings_); }
 
  private:

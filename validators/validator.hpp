@@ -24,7 +24,8 @@ struct ValidationOptions {
 /// Everything that is wrong with a map: what its reader found (family F) and what every check finds
 /// (families G, S and T), in the order of `sort_findings`.
 ///
-/// n log n in the number of segments plus the number of pairs of obstacles whose boxes meet.
+/// n log n in the number of segments plus the number of pairs of obstacles whose boxes meet; more
+/// only for large outlines that cross themselves (docs/checks/G104.md).
 /// Deterministic.
 std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options = {});
 

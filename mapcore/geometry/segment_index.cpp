@@ -134,9 +134,14 @@ double SegmentIndex::clearance_m(Point p, double limit_m) const {
 }
 
 bool SegmentIndex::meets(Point a, Point b) const {
+  return !query_meeting(a, b, [](std::size_t) { return false; });
+}
+
+bool SegmentIndex::query_meeting(Point a, Point b,
+                                 const std::function<bool(std::size_t)>& visit) const {
   const Corridor corridor(a, b, 0.0);
-  return !tree_->walk([&](const Box& node) { return corridor.may_meet(node); },
-                      [&](std::size_t i) { return !segments_meet(a, b, segments_[i]); });
+  return tree_->walk([&](const Box& node) { return corridor.may_meet(node); },
+                     [&](std::size_t i) { return !segments_meet(a, b, segments_[i]) || visit(i); });
 }
 
 bool SegmentIndex::comes_near(Point a, Point b, double radius_m) const {

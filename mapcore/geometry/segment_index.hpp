@@ -49,6 +49,10 @@ class SegmentIndex {
   /// True if some segment has a point in common with the closed segment ab (exact).
   bool meets(Point a, Point b) const;
 
+  /// Calls `visit(i)` for every segment that has a point in common with the closed segment ab
+  /// (exact); in no promised order. Stops when `visit` returns false; returns false if stopped.
+  bool query_meeting(Point a, Point b, const std::function<bool(std::size_t)>& visit) const;
+
   /// True if some segment comes nearer than `radius_m` to the closed segment ab.
   bool comes_near(Point a, Point b, double radius_m) const;
 

@@ -48,6 +48,17 @@ TEST(Stairs, MayCloseOnTheHighestStep) {
       "");
 }
 
+TEST(Stairs, MayHaveRisersOfSeveralPieces) {
+  EXPECT_EQ(found_in({stairs({{{{0, 0}, {3, 0}}, 0.2},
+                              {{{3, 0}, {6, 0.2}}, 0.2},
+                              {{{6, 0.6}, {0, 0.6}}, 0.0}})}),
+            "");
+  EXPECT_EQ(found_in({stairs({{{{0, 0}, {3, 0}}, 0.2},
+                              {{{0, 0.3}, {3, 0.3}}, 0.2},
+                              {{{3, 0.6}, {0, 0.6}}, 0.0}})}),
+            "T101:1.2 ");
+}
+
 TEST(Stairs, WithoutStepsOrWithSeveralClosingSegments) {
   EXPECT_EQ(found_in({stairs({{{{0, 0}, {3, 0}}, 0.0}})}), "T101:1 ");
   EXPECT_EQ(found_in({stairs({{{{0, 0}, {3, 0}}, 0.2},

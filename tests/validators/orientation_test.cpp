@@ -66,6 +66,17 @@ TEST(LeaningWalls, HaveTheirFreeSideWhereTheOutlineHasIt) {
   EXPECT_EQ(found_in({solid(1, kLarge), wall(2, {{8, 0}, {8, -5}})}), "");
 }
 
+TEST(LeaningWalls, AreLongerThanWhatLeansOnThem) {
+  EXPECT_EQ(found_in({solid(1, {5, 0, 6, 1}), wall(2, {{20, 0}, {0, 0}})}), "");
+  EXPECT_EQ(found_in({solid(1, {5, 0, 6, 1}), wall(2, {{0, 1}, {20, 1}})}), "");
+}
+
+TEST(LeaningWalls, MayLieOnSeveralEdges) {
+  const Points corners{{0, 0}, {3, 0}, {7, 0}, {20, 0}, {20, 20}, {0, 20}};
+  EXPECT_EQ(found_in({ring(1, corners), wall(2, {{1, 0}, {9, 0}})}), "");
+  EXPECT_EQ(found_in({ring(1, corners), wall(2, {{9, 0}, {1, 0}})}), "G107:2.1 ");
+}
+
 TEST(LeaningWalls, BetweenTwoSolidsMayRunAnyWay) {
   const auto left = solid(1, {0, 0, 5, 5}), right = solid(2, {5, 0, 9, 5});
   EXPECT_EQ(found_in({left, right, wall(3, {{5, 1}, {5, 4}})}), "");

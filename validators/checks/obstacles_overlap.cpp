@@ -87,11 +87,11 @@ class Overlaps {
   const Region& region(std::uint32_t solid) {
     const auto found = regions_.find(solid);
     if (found != regions_.end()) return found->second;
-    RegionOutlines outlines{solid};
+    std::vector<std::uint32_t> holes;
     for (const auto held : context_.nesting().held(solid)) {
-      if (bodies_[held] == Body::kHole) outlines.push_back(held);
+      if (bodies_[held] == Body::kHole) holes.push_back(held);
     }
-    return regions_.emplace(solid, Region(context_, std::move(outlines))).first->second;
+    return regions_.emplace(solid, Region(context_, solid, std::move(holes))).first->second;
   }
 
   static Box box_of(const Segment& segment) {

@@ -44,24 +44,28 @@ class Chain {
  private:
   const Segment& segment(std::size_t k) const { return obstacle_.segments[k]; }
 
-  Box box(std::size_t p) const {
-    Box box = kEmptyBox;
-    box.add(segment(segments_[p]).a);
-    box.add(segment(segments_[p]).b);
-    return box;
-  }
-
+  // Pairs p < q of segments that meet, and maybe others.
   template <class Visit>
   void for_each_pair(const Visit& visit) const {
-    if (segments_.size() > kFewSegments) {
-      std::vector<Box> boxes;
-      boxes.reserve(segments_.size());
-      for (std::size_t p = 0; p < segments_.size(); ++p) boxes.push_back(box(p));
-      for_each_meeting_pair(boxes, visit);
-      return;
-    }
+    if (segments_.size() > kFewSegments) return for_each_meeting_pair_of_many(visit);
     for (std::size_t q = 1; q < segments_.size(); ++q) {
       for (std::size_t p = 0; p < q; ++p) visit(p, q);
+    }
+  }
+
+  // By the segments and not by their boxes: the teeth of a slanting comb have boxes that all meet.
+  template <class Visit>
+  void for_each_meeting_pair_of_many(const Visit& visit) const {
+    std::vector<IndexedSegment> indexed;
+    indexed.reserve(segments_.size());
+    for (const std::size_t k : segments_) indexed.push_back({segment(k).a, segment(k).b, 0});
+    const SegmentIndex index(std::move(indexed));
+    for (std::size_t q = 1; q < segments_.size(); ++q) {
+      const Segment& s = segment(segments_[q]);
+      index.query_meeting(s.a, s.b, [&](std::size_t p) {
+        if (p < q) visit(p, q);
+        return true;
+      });
     }
   }
 

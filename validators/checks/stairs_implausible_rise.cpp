@@ -16,7 +16,7 @@ void check_stairs_implausible_rise(const CheckContext& context, FindingSink& sin
       const double height_m = stairs.segments[k].height_m;
       const double rise_m = height_m - below_m;
       below_m = height_m;
-      // Falling heights are an error of order, told of by T101; negative ones by S106.
+      // Heights that fall, or are equal for steps one behind the other, are errors of order (T101).
       if (rise_m <= 0.0 || height_m < 0.0) continue;
       if (options.min_step_rise_m <= rise_m && rise_m <= options.max_step_rise_m) continue;
       sink.segment(FindingCode::T104, i, k, SegmentField::kHeight, stairs.segments[k].a,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -33,21 +34,43 @@ std::vector<Contact> contacts_of(const CheckContext& context) {
   return contacts;
 }
 
-// What a wall segment lies on: with edges that run its way, or against it.
-struct Support {
-  bool along = false;
-  bool against = false;
-  std::string name;  // of what runs against it
+// How much of a wall segment lies on edges that run its way, and on edges that run against it.
+class Support {
+ public:
+  explicit Support(const Segment& segment)
+      : segment_(segment), length_m_(distance(segment.a, segment.b)) {}
 
-  void add(const Segment& segment, Point a, Point b, const std::string& edge_name) {
-    if (meet(segment.a, segment.b, a, b).kind != Meeting::kOverlap) return;
-    if (dot(segment.b - segment.a, b - a) > 0.0) {
-      along = true;
-    } else if (!against) {
-      against = true;
-      name = edge_name;
+  void add(Point a, Point b, const std::string& edge_name) {
+    if (meet(segment_.a, segment_.b, a, b).kind != Meeting::kOverlap) return;
+    const double from = position(a), to = position(b);
+    const double overlap_m =
+        std::abs(std::clamp(to, 0.0, length_m_) - std::clamp(from, 0.0, length_m_));
+    if (to > from) {
+      along_m_ += overlap_m;
+    } else {
+      against_m_ += overlap_m;
+      if (name_.empty()) name_ = edge_name;
     }
   }
+
+  // A wall that is longer than the edges is no wall that leans on an outline: the other one leans
+  // on it, as a bin on a house wall.
+  bool faces_away() const {
+    constexpr double kNearlyAll = 1.0 - 1e-9;
+    return along_m_ == 0.0 && against_m_ >= kNearlyAll * length_m_;
+  }
+
+  const std::string& name() const { return name_; }
+
+ private:
+  double position(Point p) const {
+    return dot(p - segment_.a, segment_.b - segment_.a) / length_m_;
+  }
+
+  const Segment& segment_;
+  double length_m_;
+  double along_m_ = 0.0, against_m_ = 0.0;
+  std::string name_;  // of what runs against it
 };
 
 Box box_of(const Segment& segment) {
@@ -60,18 +83,18 @@ Box box_of(const Segment& segment) {
 void add_outline(Support& support, const Segment& segment, const EdgeFinder& edges) {
   edges.visit(box_of(segment), [&](std::uint32_t e) {
     const Segment& edge = edges.obstacle().segments[e];
-    support.add(segment, edge.a, edge.b, name_of(edges.obstacle()));
+    support.add(edge.a, edge.b, name_of(edges.obstacle()));
   });
 }
 
 // The border as a room seen from inside: clockwise.
-void add_border(Support& support, const Segment& segment, const Border& border) {
+void add_border(Support& support, const Border& border) {
   const std::array<Point, 4> corners{{{border.left, border.top},
                                       {border.right, border.top},
                                       {border.right, border.bottom},
                                       {border.left, border.bottom}}};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    support.add(segment, corners[i], corners[(i + 1) % corners.size()], "the border");
+    support.add(corners[i], corners[(i + 1) % corners.size()], "the border");
   }
 }
 
@@ -88,13 +111,14 @@ void check_wall(const CheckContext& context, std::size_t wall, const Rings& ring
   for (std::size_t k = 0; k < obstacle.segments.size(); ++k) {
     const Segment& segment = obstacle.segments[k];
     if (segment.a == segment.b) continue;
-    Support support;
+    Support support(segment);
     for (const auto ring : rings) add_outline(support, segment, context.edges(ring));
-    if (on_border) add_border(support, segment, context.map().border);
-    if (!support.against || support.along) continue;
+    if (on_border) add_border(support, context.map().border);
+    if (!support.faces_away()) continue;
     sink.segment(FindingCode::G107, wall, k,
-                 name_of(obstacle, k) + " leans on " + support.name +
+                 name_of(obstacle, k) + " leans on " + support.name() +
                      " but has its free side towards it; swap its ends");
+    sink.soften(Severity::kWarning);
   }
 }
 

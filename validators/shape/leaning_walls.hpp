@@ -5,9 +5,9 @@
 
 namespace mapwright::validators {
 
-/// Reports (G107) each segment of an open wall that lies on an outline or on the border and has its
-/// free side where they have none. Where outlines meet along a wall, neither side is free and its
-/// direction says nothing.
+/// Reports (G107, as a warning) each segment of an open wall that lies wholly on an outline or on
+/// the border and has its free side where they have none. Where outlines meet along a wall, neither
+/// side is free and its direction says nothing.
 void check_leaning_walls(const CheckContext& context, FindingSink& sink);
 
 }  // namespace mapwright::validators

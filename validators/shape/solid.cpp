@@ -37,18 +37,36 @@ std::vector<Body> bodies_of(const CheckContext& context) {
   return bodies;
 }
 
-bool Region::holds(Point p, double depth_m) const {
-  for (const auto outline : outlines_) {
-    const bool is_outer = outline == outer();
-    if (!context_.outlines()[outline].box.contains(p)) {
-      if (is_outer) return false;
-      continue;
-    }
-    const EdgeFinder& edges = context_.edges(outline);
-    if (edges.side(p) != (is_outer ? PointSide::kInside : PointSide::kOutside)) return false;
-    if (edges.distance_m(p) <= depth_m) return false;
+Region::Region(const CheckContext& context, std::uint32_t outer, std::vector<std::uint32_t> holes)
+    : context_(context), outer_(outer) {
+  if (holes.empty()) return;
+  std::vector<IndexedSegment> diagonals;
+  diagonals.reserve(holes.size());
+  for (const auto hole : holes) {
+    const Box& box = context.outlines()[hole].box;
+    diagonals.push_back({{box.min_x, box.min_y}, {box.max_x, box.max_y}, hole});
   }
-  return true;
+  holes_ = std::make_shared<SegmentIndex>(std::move(diagonals));
+}
+
+void Region::for_each_hole(const Box& box, const std::function<void(std::uint32_t)>& visit) const {
+  if (!holes_) return;
+  holes_->query(box, [&](std::size_t k) {
+    visit((*holes_)[k].tag);
+    return true;
+  });
+}
+
+bool Region::holds(Point p, double depth_m) const {
+  if (!context_.outlines()[outer_].box.contains(p)) return false;
+  const EdgeFinder& outer = context_.edges(outer_);
+  if (outer.side(p) != PointSide::kInside || outer.distance_m(p) <= depth_m) return false;
+  bool is_free = false;
+  for_each_hole(Box{p.x, p.y, p.x, p.y}.inflated(depth_m), [&](std::uint32_t hole) {
+    const EdgeFinder& edges = context_.edges(hole);
+    is_free = is_free || edges.side(p) != PointSide::kOutside || edges.distance_m(p) <= depth_m;
+  });
+  return !is_free;
 }
 
 }  // namespace mapwright::validators

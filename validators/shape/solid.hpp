@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
+#include <memory>
 #include <vector>
 
+#include "mapcore/geometry/segment_index.hpp"
 #include "validators/check.hpp"
 
 namespace mapwright::validators {
@@ -23,16 +24,12 @@ enum class Body : std::uint8_t {
 /// The bodies of all obstacles. Rings count as such when all their segments are higher than 0.
 std::vector<Body> bodies_of(const CheckContext& context);
 
-/// The outlines that bound a region, the outer one first.
-using RegionOutlines = std::vector<std::uint32_t>;
-
-/// A solid ring without its holes.
+/// A solid ring without its holes. The context must outlive it.
 class Region {
  public:
-  Region(const CheckContext& context, RegionOutlines outlines)
-      : context_(context), outlines_(std::move(outlines)) {}
+  Region(const CheckContext& context, std::uint32_t outer, std::vector<std::uint32_t> holes);
 
-  std::uint32_t outer() const { return outlines_.front(); }
+  std::uint32_t outer() const { return outer_; }
 
   /// True if p lies inside of the solid, deeper than `depth_m`.
   bool holds(Point p, double depth_m) const;
@@ -40,19 +37,20 @@ class Region {
   /// Calls `visit(obstacle, segment)` for each edge whose box meets `box`.
   template <class Visit>
   void visit_edges(const Box& box, const Visit& visit) const {
-    for (const auto outline : outlines_) {
-      if (!boxes_meet(context_.outlines()[outline].box, box)) continue;
+    const auto visit_outline = [&](std::uint32_t outline) {
       context_.edges(outline).visit(box, [&](std::uint32_t e) { visit(outline, e); });
-    }
+    };
+    visit_outline(outer_);
+    for_each_hole(box, visit_outline);
   }
 
  private:
-  static bool boxes_meet(const Box& p, const Box& q) {
-    return p.min_x <= q.max_x && q.min_x <= p.max_x && p.min_y <= q.max_y && q.min_y <= p.max_y;
-  }
+  // Calls `visit(hole)` for each hole whose box meets `box`.
+  void for_each_hole(const Box& box, const std::function<void(std::uint32_t)>& visit) const;
 
   const CheckContext& context_;
-  RegionOutlines outlines_;
+  std::uint32_t outer_;
+  std::shared_ptr<const SegmentIndex> holes_;  // the diagonals of their boxes; null without holes
 };
 
 }  // namespace mapwright::validators

@@ -137,6 +137,22 @@ TEST(SegmentIndex, MeetsWhenSomeSegmentDoes) {
   });
 }
 
+TEST(SegmentIndex, QueryMeetingFindsAllThatMeet) {
+  for_random_scenes(18, 200, [](const Scene& scene, Point a, Point b, Random&) {
+    std::vector<std::size_t> expected, found;
+    for (std::size_t i = 0; i < scene.segments.size(); ++i) {
+      const auto& s = scene.segments[i];
+      if (meet(a, b, s.a, s.b).kind != Meeting::kNone) expected.push_back(i);
+    }
+    ASSERT_TRUE(scene.index.query_meeting(a, b, [&](std::size_t i) {
+      found.push_back(i);
+      return true;
+    }));
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, expected);
+  });
+}
+
 TEST(SegmentIndex, ComesNearWhenSomeSegmentDoes) {
   for_random_scenes(16, 400, [](const Scene& scene, Point a, Point b, Random& random) {
     double nearest = HUGE_VAL;
