@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t kGrain = 512;
 
+// A scan that leaves less than this effective share is brought to bear in parts.
+constexpr double kBearableShare = 0.2;
+constexpr int kBisections = 12;
+
 Pose shaken(const Pose& pose, double sigma_m, double sigma_deg, Random& random) {
   const double dx = random.normal(0.0, sigma_m);
   const double dy = random.normal(0.0, sigma_m);
@@ -74,49 +78,86 @@ void ParticleFilter::move(const OdometryStep& step) {
   });
 }
 
-// The first stage is blunt: beams far off cost little, so that a particle near the truth is told
-// from others before it is at the truth. σm falls geometrically, the exponent rises as share^1.5.
-ParticleFilter::Target ParticleFilter::target(std::size_t stage, std::size_t stages) const {
-  Target result{settings_.likelihood, settings_.temper};
-  if (stages <= 1) return result;
-  const double share = static_cast<double>(stage) / static_cast<double>(stages);
-  const double last_m = settings_.likelihood.sigma_m;
-  result.likelihood.sigma_m = last_m * std::pow(settings_.first_sigma_m / last_m, 1.0 - share);
-  result.temper *= share * std::sqrt(share);
-  return result;
-}
-
-std::vector<double> ParticleFilter::log_values(const Target& target, std::span<const double> scan,
-                                               std::span<const Pose> poses) const {
-  std::vector<double> values(poses.size());
-  weigher_->weigh(scan, laser_, target.likelihood, poses, values, settings_.threads);
-  for (double& value : values) value *= target.temper;
-  return values;
-}
-
 UpdateReport ParticleFilter::update(std::span<const double> scan) {
-  const std::size_t stages = lost_ ? settings_.first_stages : 1;
-  lost_ = false;
   UpdateReport report{particles_.size(), 0.0, false, false};
-  values_.assign(particles_.size(), 0.0);
-  for (std::size_t stage = 1; stage <= stages; ++stage) {
-    approach(target(stage, stages), scan, report);
+  if (lost_) {
+    search(scan, report);
+  } else {
+    track(scan, report);
   }
+  lost_ = false;
   return report;
 }
 
-// Importance weights from the last target to this one, then resampling and moves.
-void ParticleFilter::approach(const Target& target, std::span<const double> scan,
-                              UpdateReport& report) {
-  std::vector<double> values = log_values(target, scan, particles_.poses);
-  std::vector<double> gains(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) gains[i] = values[i] - values_[i];
-  values_ = std::move(values);
-  if (!multiply_weights(particles_.weights, gains)) report.contradicted = true;
-  report.effective_particles = effective_size(particles_.weights);
-  const bool too_many = particles_.size() != settings_.particles;
+// The first stage is blunt: beams far off cost little, so that a particle near the truth is told
+// from others before it is at the truth. σm falls geometrically, the exponent rises as share^1.5.
+ParticleFilter::Target ParticleFilter::search_target(std::size_t stage) const {
+  const double share = static_cast<double>(stage) /
+                       static_cast<double>(std::max<std::size_t>(1, settings_.first_stages));
+  Target target{settings_.likelihood, settings_.temper * share * std::sqrt(share)};
+  const double last_m = settings_.likelihood.sigma_m;
+  target.likelihood.sigma_m = last_m * std::pow(settings_.first_sigma_m / last_m, 1.0 - share);
+  return target;
+}
+
+// From each target to the next: importance weights, resampling, moves.
+void ParticleFilter::search(std::span<const double> scan, UpdateReport& report) {
+  factors_.assign(particles_.size(), 0.0);
+  Target last{settings_.likelihood, 0.0};
+  for (std::size_t stage = 1; stage <= std::max<std::size_t>(1, settings_.first_stages); ++stage) {
+    const Target target = search_target(stage);
+    std::vector<double> factors = weigh(target, scan, particles_.poses);
+    std::vector<double> gains(factors.size());
+    for (std::size_t i = 0; i < gains.size(); ++i) {
+      gains[i] = target.exponent * factors[i] - last.exponent * factors_[i];
+    }
+    factors_ = std::move(factors);
+    report.contradicted |= !multiply_weights(particles_.weights, gains);
+    if (stage == 1) report.effective_particles = effective_size(particles_.weights);
+    renew(target, scan, report);
+    last = target;
+  }
+}
+
+// The whole factor at once where enough particles survive it; otherwise a part that leaves enough,
+// moves, the next part, and so on.
+void ParticleFilter::track(std::span<const double> scan, UpdateReport& report) {
+  Target target{settings_.likelihood, settings_.temper};
+  factors_ = weigh(target, scan, particles_.poses);
+  double rest = settings_.temper;
+  report.effective_particles = effective_size_after(rest);
+  while (rest > 0.0) {
+    const double part = bearable_part(rest);
+    report.contradicted |= !multiply_weights(particles_.weights, factors_, part);
+    rest = part < rest ? rest - part : 0.0;
+    target.exponent = settings_.temper - rest;
+    renew(target, scan, report);
+  }
+}
+
+double ParticleFilter::effective_size_after(double exponent) const {
+  std::vector<double> weights = particles_.weights;
+  multiply_weights(weights, factors_, exponent);
+  return effective_size(weights);
+}
+
+// By bisection; at least a sixteenth of the whole, so that it comes to an end. Without moves there
+// is no point in parts.
+double ParticleFilter::bearable_part(double rest) const {
+  const double least = kBearableShare * static_cast<double>(particles_.size());
+  if (settings_.sweeps == 0 || effective_size_after(rest) >= least) return rest;
+  double low = 0.0, high = rest;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (effective_size_after(middle) >= least ? low : high) = middle;
+  }
+  return std::min(rest, std::max(low, settings_.temper / 16.0));
+}
+
+void ParticleFilter::renew(const Target& target, std::span<const double> scan,
+                           UpdateReport& report) {
   const double wanted = settings_.resample_below * static_cast<double>(particles_.size());
-  if (too_many || report.effective_particles < wanted) {
+  if (particles_.size() != settings_.particles || effective_size(particles_.weights) < wanted) {
     resample();
     report.resampled = true;
   }
@@ -124,19 +165,26 @@ void ParticleFilter::approach(const Target& target, std::span<const double> scan
   for (std::size_t i = 0; i < settings_.sweeps; ++i) sweep(target, scan);
 }
 
+std::vector<double> ParticleFilter::weigh(const Target& target, std::span<const double> scan,
+                                          std::span<const Pose> poses) const {
+  std::vector<double> factors(poses.size());
+  weigher_->weigh(scan, laser_, target.likelihood, poses, factors, settings_.threads);
+  return factors;
+}
+
 void ParticleFilter::resample() {
   ++epoch_;
   Random random = stream(0);
   std::vector<Pose> poses;
-  std::vector<double> values;
+  std::vector<double> factors;
   poses.reserve(settings_.particles);
-  values.reserve(settings_.particles);
+  factors.reserve(settings_.particles);
   for (const auto i : low_variance_sample(particles_.weights, settings_.particles, random)) {
     poses.push_back(particles_.poses[i]);
-    values.push_back(values_[i]);
+    factors.push_back(factors_[i]);
   }
   particles_ = with_equal_weights(std::move(poses));
-  values_ = std::move(values);
+  factors_ = std::move(factors);
 }
 
 Pose ParticleFilter::proposal(const Pose& pose, Random& random) const {
@@ -160,12 +208,12 @@ void ParticleFilter::sweep(const Target& target, std::span<const double> scan) {
     proposals[i] = proposal(poses[i], random);
     thresholds[i] = random.uniform();
   }
-  const std::vector<double> values = log_values(target, scan, proposals);
+  const std::vector<double> factors = weigh(target, scan, proposals);
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (thresholds[i] >= std::exp(values[i] - values_[i])) continue;
+    if (thresholds[i] >= std::exp(target.exponent * (factors[i] - factors_[i]))) continue;
     if (space_ != nullptr && !space_->is_free(proposals[i].position())) continue;
     poses[i] = proposals[i];
-    values_[i] = values[i];
+    factors_[i] = factors[i];
   }
 }
 

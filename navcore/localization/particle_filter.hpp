@@ -56,7 +56,7 @@ struct HeadingPrior {
 /// What an update did.
 struct UpdateReport {
   std::size_t particles = 0;         ///< that were scored
-  double effective_particles = 0.0;  ///< after weighing, before any resampling
+  double effective_particles = 0.0;  ///< the whole scan's weights leave, unresampled
   bool contradicted = false;         ///< the scan was impossible at each particle; weights kept
   bool resampled = false;
 };
@@ -86,15 +86,19 @@ class ParticleFilter {
   PoseEstimate estimate() const { return estimate_pose(particles_); }
 
  private:
-  /// What the particles are to be distributed by: the prior times exp(temper × log factor).
+  /// What the particles are to be distributed by: the prior × exp(exponent × log factor).
   struct Target {
     LikelihoodModel likelihood;
-    double temper = 1.0;
+    double exponent = 1.0;
   };
-  Target target(std::size_t stage, std::size_t stages) const;
-  std::vector<double> log_values(const Target& target, std::span<const double> scan,
-                                 std::span<const Pose> poses) const;
-  void approach(const Target& target, std::span<const double> scan, UpdateReport& report);
+  Target search_target(std::size_t stage) const;
+  void search(std::span<const double> scan, UpdateReport& report);
+  void track(std::span<const double> scan, UpdateReport& report);
+  double effective_size_after(double exponent) const;
+  double bearable_part(double rest) const;
+  void renew(const Target& target, std::span<const double> scan, UpdateReport& report);
+  std::vector<double> weigh(const Target& target, std::span<const double> scan,
+                            std::span<const Pose> poses) const;
   void resample();
   void sweep(const Target& target, std::span<const double> scan);
   Pose proposal(const Pose& pose, Random& random) const;
@@ -108,7 +112,7 @@ class ParticleFilter {
   std::uint64_t epoch_ = 0;  ///< counts the operations that draw random numbers
   bool lost_ = false;        ///< started anywhere and not yet seen a scan
   ParticleSet particles_;
-  std::vector<double> values_;  ///< per particle: logarithm of the current target's factor
+  std::vector<double> factors_;  ///< per particle: log factor of the current scan
 };
 
 }  // namespace mapwright::navcore
