@@ -155,16 +155,28 @@ std::vector<Line> cut(const std::vector<Line>& lines, const LineGrid& grid, Meet
   return pieces;
 }
 
-// An end of a line. Keys are in the order of the points.
+// An end of a line.
 struct End {
   std::uint64_t key;
   std::uint32_t number;  // 2 · line, + 1 for its end
 };
 
+// The bits of a number with a gap before each.
+std::uint64_t spread(std::uint32_t number) {
+  std::uint64_t bits = number;
+  bits = (bits | bits << 16U) & 0x0000'ffff'0000'ffffU;
+  bits = (bits | bits << 8U) & 0x00ff'00ff'00ff'00ffU;
+  bits = (bits | bits << 4U) & 0x0f0f'0f0f'0f0f'0f0fU;
+  bits = (bits | bits << 2U) & 0x3333'3333'3333'3333U;
+  return (bits | bits << 1U) & 0x5555'5555'5555'5555U;
+}
+
+// Position on the Z-order curve (Morton, 1966): neighbours in the order are mostly neighbours in
+// the plane, so what follows works on memory that is near.
 std::uint64_t key_of(GridPoint p) {
   constexpr std::uint32_t kSignBit = 1U << 31U;
-  return std::uint64_t{static_cast<std::uint32_t>(p.x) ^ kSignBit} << 32U |
-         (static_cast<std::uint32_t>(p.y) ^ kSignBit);
+  return spread(static_cast<std::uint32_t>(p.x) ^ kSignBit) |
+         spread(static_cast<std::uint32_t>(p.y) ^ kSignBit) << 1U;
 }
 
 // Fills in the vertices; gives the vertex of each line's start and end.

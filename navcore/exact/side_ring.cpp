@@ -28,12 +28,15 @@ SideRings::SideRings(const Tessellation& space)
 
 namespace {
 
-constexpr std::size_t kLengthClasses = 64;
+constexpr std::size_t kLengthClasses = 256;
 
-// Lengths of one class differ by less than a factor of √2.
+// The exponent of the squared length and its next two bits: lengths of one class differ by an
+// eighth at most.
 std::size_t length_class(GridPoint a, GridPoint b) {
-  return static_cast<std::size_t>(
-      std::bit_width(static_cast<std::uint64_t>(squared_distance(a, b))));
+  const auto squared = static_cast<std::uint64_t>(squared_distance(a, b));
+  const int width = static_cast<int>(std::bit_width(squared));
+  const std::uint64_t next_bits = width > 2 ? squared >> static_cast<unsigned>(width - 3) & 3U : 0;
+  return 4 * static_cast<std::size_t>(width) + next_bits;
 }
 
 }  // namespace

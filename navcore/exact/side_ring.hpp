@@ -14,7 +14,7 @@ class SideRings {
  public:
   explicit SideRings(const Tessellation& space);
 
-  /// Longest sides first, to within a factor of √2 (Hertel and Mehlhorn's rule: a side goes where
+  /// Longest sides first, to within an eighth (Hertel and Mehlhorn's rule: a side goes where
   /// both its ends stay convex).
   void merge();
 
