@@ -64,6 +64,10 @@ std::uint64_t size_of(const fs::path& path) {
 
 // Checks the common header of .shp and .shx, and that the file is as long as it says.
 Result<std::uint64_t> declared_bytes(const fs::path& path) {
+  if (std::error_code error; !fs::exists(path, error)) {
+    return input_failure(path.string() +
+                         ": this part of the shapefile is missing; it holds the shapes");
+  }
   const auto header = first_bytes<kHeaderBytes>(path);
   if (!header) {
     return input_failure(path.string() + ": " + (size_of(path) == 0 ? "is empty" : "is cut short") +
@@ -139,8 +143,11 @@ Result<std::vector<std::string>> check_shapefile(const fs::path& shp) {
 std::vector<fs::path> shapefiles_of(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) {
-    if (lower_case(path.extension().string()) == ".shp") return {path};
-    return {};
+    const std::string extension = lower_case(path.extension().string());
+    if (extension == ".shp") return {path};
+    if (extension != ".dbf" && extension != ".shx") return {};
+    const auto shp = sibling(path, ".shp");
+    return {shp ? *shp : fs::path(path).replace_extension(".shp")};
   }
   std::vector<fs::path> found;
   for (const auto& entry : fs::directory_iterator(path, error)) {

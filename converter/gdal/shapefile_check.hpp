@@ -15,7 +15,8 @@ namespace mapwright::converter {
 /// (kInput) for the first defect.
 Result<std::vector<std::string>> check_shapefile(const std::filesystem::path& shp);
 
-/// The .shp files of a folder, sorted by name; the file itself where `path` is a .shp.
+/// The .shp files of a folder, sorted by name; where `path` is a part of
+/// a shapefile, its .shp (which may be missing).
 std::vector<std::filesystem::path> shapefiles_of(const std::filesystem::path& path);
 
 }  // namespace mapwright::converter

@@ -49,6 +49,24 @@ void sort_by_name(std::vector<OGRLayer*>& layers) {
             [](OGRLayer* p, OGRLayer* q) { return std::string_view(p->GetName()) < q->GetName(); });
 }
 
+// For formats that hold their layers mixed (OSM), which know no extents of layers.
+std::optional<Box> extent_by_reading(GDALDataset& dataset, OGRLayer& layer) {
+  if (dataset.TestCapability(ODsCRandomLayerRead) == 0) return std::nullopt;
+  OGREnvelope all;
+  dataset.ResetReading();
+  while (true) {
+    OGRLayer* owner = nullptr;
+    const OGRFeatureUniquePtr feature(dataset.GetNextFeature(&owner, nullptr, nullptr, nullptr));
+    if (!feature) break;
+    if (owner != &layer || feature->GetGeometryRef() == nullptr) continue;
+    OGREnvelope own;
+    feature->GetGeometryRef()->getEnvelope(&own);
+    all.Merge(own);
+  }
+  if (!all.IsInit()) return std::nullopt;
+  return Box{all.MinX, all.MinY, all.MaxX, all.MaxY};
+}
+
 // Tells GDAL which fields nobody asks for, so that it need not decode them.
 void ignore_other_fields(OGRLayer& layer, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return;
@@ -102,7 +120,9 @@ const std::vector<std::string>& VectorSource::warnings() const {
 std::optional<Box> VectorSource::extent(std::size_t layer) {
   const GdalMessages messages;
   OGREnvelope envelope;
-  if (impl_->handles[layer]->GetExtent(&envelope, TRUE) != OGRERR_NONE) return std::nullopt;
+  if (impl_->handles[layer]->GetExtent(&envelope, TRUE) != OGRERR_NONE) {
+    return extent_by_reading(*impl_->opened.dataset, *impl_->handles[layer]);
+  }
   const Box box{envelope.MinX, envelope.MinY, envelope.MaxX, envelope.MaxY};
   const bool finite = std::isfinite(box.width()) && std::isfinite(box.height());
   return finite && !box.is_empty() ? std::optional(box) : std::nullopt;

@@ -205,9 +205,10 @@ void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t
     ledger.change(account, FindingCode::C215,
                   "characters the map format reserves were replaced in the semantic string");
   }
-  if (!options_.source_tokens) return;
   std::string layer = sanitized_semantic(job_.info().name);
   std::replace(layer.begin(), layer.end(), ',', ' ');
+  if (meaning_.semantic.empty()) meaning_.semantic = layer;
+  if (!options_.source_tokens) return;
   meaning_.semantic =
       std::string(Semantic(meaning_.semantic)
                       .with_value(semantic_key::kSource, layer + ":" + std::to_string(feature.fid))
@@ -217,6 +218,7 @@ void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t
 void LayerConverter::build(const FeatureTask& task) {
   switch (task.meaning.rule->kind) {
     case FeatureKind::kSolid:
+    case FeatureKind::kRoom:
       return add_solid(task, workspace_);
     case FeatureKind::kWall:
       return add_wall(task, workspace_);

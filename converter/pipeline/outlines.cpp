@@ -21,10 +21,14 @@ struct DrawnPolygon {
 
 using Ring = std::vector<Point>;
 
+// The first vertex stays the first: formats that store rings the other way round give the same map.
+void reverse_ring(Ring& ring) {
+  std::reverse(ring.begin() + 1, ring.end());
+}
+
 void orient(Ring& ring, RingOrientation wanted) {
   const auto found = ring_orientation(ring);
-  if (found != wanted && found != RingOrientation::kDegenerate)
-    std::reverse(ring.begin(), ring.end());
+  if (found != wanted && found != RingOrientation::kDegenerate) reverse_ring(ring);
 }
 
 std::string area_text(double area_m2) {
@@ -148,6 +152,15 @@ void append_repaired(const FeatureTask& task, const DrawnPolygon& drawn, const s
   for (auto& part : *parts) outlines.push_back({std::move(part), drawn.curved});
 }
 
+// Rooms are free within: the outline runs clockwise, what stands in the room counter-clockwise.
+void turn_inside_out(std::vector<Outline>& outlines) {
+  for (auto& outline : outlines) {
+    auto& polygon = outline.polygon;
+    reverse_ring(polygon.outer);
+    for (auto& hole : polygon.holes) reverse_ring(hole);
+  }
+}
+
 }  // namespace
 
 std::vector<Outline> outlines_of(const FeatureTask& task, Workspace& workspace) {
@@ -173,7 +186,7 @@ void add_outlines(const FeatureTask& task, const std::vector<Outline>& outlines,
     workspace.drafts.push_back(std::move(outer));
     for (const auto& hole : outline.polygon.holes) {
       Draft inner = draft_for(task, type);
-      inner.inner_of = position;
+      if (task.meaning.rule->kind != FeatureKind::kRoom) inner.inner_of = position;
       inner.obstacle.segments = chain_of(hole, true, style);
       workspace.drafts.push_back(std::move(inner));
     }
@@ -181,7 +194,8 @@ void add_outlines(const FeatureTask& task, const std::vector<Outline>& outlines,
 }
 
 void add_solid(const FeatureTask& task, Workspace& workspace) {
-  const auto outlines = outlines_of(task, workspace);
+  auto outlines = outlines_of(task, workspace);
+  if (task.meaning.rule->kind == FeatureKind::kRoom) turn_inside_out(outlines);
   if (!outlines.empty()) add_outlines(task, outlines, height_of(task, workspace), workspace);
 }
 

@@ -16,7 +16,8 @@ struct Outline {
 /// what is not simple (or leaves it, without Workspace::repair) and keeps the ledger.
 std::vector<Outline> outlines_of(const FeatureTask& task, Workspace& workspace);
 
-/// Writes a feature of kind solid: each outer ring an obstacle, each hole another with `inner_of`.
+/// Writes a feature of kind solid: each outer ring an obstacle, each hole another with `inner_of`;
+/// or of kind room, which is free within: the outline clockwise, holes as solids.
 void add_solid(const FeatureTask& task, Workspace& workspace);
 
 /// The same for outlines at hand.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "converter/rules/rule_reader.hpp"
@@ -82,6 +83,27 @@ void append_outline(const Box& box, std::vector<double>& xs, std::vector<double>
   }
 }
 
+bool are_degrees(const std::vector<double>& xs, const std::vector<double>& ys) {
+  const auto within = [](double limit) {
+    return [limit](double value) { return std::abs(value) <= limit; };
+  };
+  return std::all_of(xs.begin(), xs.end(), within(360.0)) &&
+         std::all_of(ys.begin(), ys.end(), within(90.0));
+}
+
+Failure no_degrees(const LayerJob& job, const std::vector<double>& xs,
+                   const std::vector<double>& ys) {
+  char range[160];
+  std::snprintf(range, sizeof range, "x %.8g to %.8g and y %.8g to %.8g", xs.front(), xs.back(),
+                ys.front(), ys.back());
+  const std::string advice = are_degrees(ys, xs)
+                                 ? "; the axes look exchanged, use --swap-axes"
+                                 : "; the CRS is another one, or use --local for plain metres";
+  return {FailureKind::kInput, job.source->path() + ": layer " + job.info().name +
+                                   " is said to be in " + job.crs.title() + ", but " + range +
+                                   " are no longitudes and latitudes" + advice};
+}
+
 double tidy(double degrees) {
   return std::round(degrees * 1e7) / 1e7;
 }
@@ -125,6 +147,7 @@ Result<GeoPoint> center_of(const OpenedSources& sources, bool swap_axes) {
     std::vector<double> xs, ys;
     append_outline(*box, xs, ys);
     if (swap_axes) std::swap(xs, ys);
+    if (job.crs.geographic && !are_degrees(xs, ys)) return tl::unexpected(no_degrees(job, xs, ys));
     transform->to_wgs84(xs, ys);
     for (std::size_t i = 0; i < xs.size(); ++i) {
       if (std::isfinite(xs[i])) all.add({xs[i], ys[i]});

@@ -52,8 +52,8 @@ void append_line(const FeatureTask& task, const SourcePath& path, Workspace& wor
   append_pieces(task, line, workspace, lines);
 }
 
+// Also of a line that ends where it began: both of its sides are free (docs/decisions/0020).
 ShapeType shape_of(const Line& line) {
-  if (line.closed) return line.curved ? ShapeType::kClosedCurve : ShapeType::kClosedPolygon;
   return line.curved ? ShapeType::kOpenCurve : ShapeType::kOpenPolygon;
 }
 

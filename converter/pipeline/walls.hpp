@@ -6,7 +6,7 @@
 namespace mapwright::converter {
 
 /// Writes a feature of kind wall: each line a chain that keeps its drawing direction (free space on
-/// the right); closed lines stay closed and run as drawn. Polygons are written as solids are.
+/// the right) and is open, also where it ends where it began. Polygons are written as solids are.
 void add_wall(const FeatureTask& task, Workspace& workspace);
 
 /// The same with a given height.

@@ -10,7 +10,8 @@ struct NamedKind {
   FeatureKind kind;
 };
 
-constexpr std::array<NamedKind, 7> kKinds{{{"solid", FeatureKind::kSolid},
+constexpr std::array<NamedKind, 8> kKinds{{{"solid", FeatureKind::kSolid},
+                                           {"room", FeatureKind::kRoom},
                                            {"wall", FeatureKind::kWall},
                                            {"steps", FeatureKind::kSteps},
                                            {"stairs", FeatureKind::kStairs},

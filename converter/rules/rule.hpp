@@ -14,6 +14,7 @@ namespace mapwright::converter {
 
 enum class FeatureKind : std::uint8_t {
   kSolid,
+  kRoom,
   kWall,
   kSteps,
   kStairs,
