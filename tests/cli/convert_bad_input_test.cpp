@@ -1,0 +1,209 @@
+// Bad input: each has its exit status and message, and leaves no map behind.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/cli/program_run.hpp"
+#include "tests/support/gis_files.hpp"
+
+namespace mapwright {
+namespace {
+
+using test::GisLayer;
+using test::run;
+using test::TemporaryFolder;
+
+namespace fs = std::filesystem;
+
+class BadInput : public testing::Test {
+ protected:
+  void refuse(const std::string& source, int status, const std::string& message,
+              const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"convert", source, "-o", folder_.path("map.txt")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.status, status) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+    for (const auto& entry : fs::directory_iterator(folder_.path(""))) {
+      EXPECT_EQ(entry.path().filename().string().find("map."), std::string::npos) << entry.path();
+    }
+  }
+
+  std::string shapefile() {
+    test::write_gis(folder_.path("walls.shp"), "ESRI Shapefile",
+                    {{"walls",
+                      "EPSG:25831",
+                      {{"LINESTRING(430000 4580000,430010 4580001)", {{"height", "2"}}},
+                       {"LINESTRING(430000 4580010,430010 4580011)", {{"height", "2"}}}},
+                      wkbLineString}});
+    return folder_.path("walls.shp");
+  }
+
+  std::string geojson(const std::string& geometry) {
+    return folder_.file(
+        "site.geojson",
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)" +
+            geometry + "}]}");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(BadInput, MissingFile) {
+  refuse(folder_.path("none.shp"), 3, "there is no such file");
+}
+TEST_F(BadInput, EmptyFile) {
+  refuse(folder_.file("e.gpkg", ""), 3, "the file is empty");
+}
+TEST_F(BadInput, EmptyFolder) {
+  fs::create_directory(folder_.path("shapes"));
+  refuse(folder_.path("shapes"), 3, "the folder is empty");
+}
+TEST_F(BadInput, NoGisFile) {
+  refuse(folder_.file("a.gpkg", "hello"), 3, "is no GIS file");
+}
+TEST_F(BadInput, BinaryGarbage) {
+  refuse(folder_.file("a.shp", std::string(300, '\xff')), 3, "is no shapefile");
+}
+TEST_F(BadInput, RemoteSource) {
+  refuse("https://example.org/a.geojson", 2, "remote and virtual sources are refused");
+  refuse("/vsicurl/https://example.org/a.geojson", 2, "remote and virtual sources are refused");
+}
+
+TEST_F(BadInput, ShapefileWithoutPrj) {
+  const auto shp = shapefile();
+  fs::remove(folder_.path("walls.prj"));
+  refuse(shp, 3, "--source-crs");
+  refuse(shp, 3, "--local");
+  EXPECT_EQ(
+      run({"convert", shp, "-o", folder_.path("map.txt"), "--source-crs", "EPSG:25831"}).status, 0);
+}
+
+TEST_F(BadInput, ShapefileWithoutDbf) {
+  const auto shp = shapefile();
+  fs::remove(folder_.path("walls.dbf"));
+  refuse(shp, 3, ".dbf file is missing");
+}
+
+TEST_F(BadInput, ShapefileWithoutShx) {
+  const auto shp = shapefile();
+  fs::remove(folder_.path("walls.shx"));
+  refuse(shp, 3, ".shx file is missing");
+}
+
+TEST_F(BadInput, TruncatedShapefile) {
+  const auto shp = shapefile();
+  fs::resize_file(shp, fs::file_size(shp) - 40);
+  refuse(shp, 3, "is cut short");
+}
+
+TEST_F(BadInput, TruncatedDbf) {
+  const auto shp = shapefile();
+  fs::resize_file(folder_.path("walls.dbf"), fs::file_size(folder_.path("walls.dbf")) - 20);
+  refuse(shp, 3, "walls.dbf: is cut short");
+}
+
+TEST_F(BadInput, TruncatedGeoJson) {
+  refuse(folder_.file("a.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature")"),
+         3, "is no GIS file");
+}
+
+TEST_F(BadInput, GeoPackageWithoutCrs) {
+  test::write_gis(folder_.path("a.gpkg"), "GPKG",
+                  {{"walls", "", {{"LINESTRING(0 0,4 0)", {}}}, wkbLineString}});
+  refuse(folder_.path("a.gpkg"), 3, "states no coordinate reference system");
+}
+
+TEST_F(BadInput, LayerOfPoints) {
+  refuse(geojson(R"({"type":"Point","coordinates":[2.1,41.4]})"), 1,
+         "nothing in the sources becomes an obstacle");
+}
+
+TEST_F(BadInput, LatitudeBeyondThePole) {
+  refuse(geojson(R"({"type":"LineString","coordinates":[[41.4,120.1],[41.5,120.2]]})"), 3,
+         "--swap-axes");
+  refuse(geojson(R"({"type":"LineString","coordinates":[[430000,4580000],[430001,4580000]]})"), 3,
+         "are no longitudes and latitudes");
+}
+
+// Rectangles turned by 20 degrees, with latitude first.
+TEST_F(BadInput, ExchangedAxesAreFoundByTheirAngles) {
+  std::string features;
+  for (int i = 0; i < 30; ++i) {
+    std::string ring;
+    for (const auto& [x, y] :
+         std::vector<std::pair<double, double>>{{0, 0}, {20, 0}, {20, 10}, {0, 10}, {0, 0}}) {
+      const double e = 40.0 * i + 0.9397 * x - 0.3420 * y;
+      const double n = 0.3420 * x + 0.9397 * y;
+      ring += (ring.empty() ? "[" : ",[") + std::to_string(41.38 + n / 111070.0) + "," +
+              std::to_string(2.11 + e / 83600.0) + "]";
+    }
+    features +=
+        (i == 0 ? "" : ",") +
+        (R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" +
+         ring + "]]}}");
+  }
+  const auto path = folder_.file("swapped.geojson",
+                                 R"({"type":"FeatureCollection","features":[)" + features + "]}");
+  refuse(path, 3, "longitude and latitude look exchanged");
+  EXPECT_EQ(run({"convert", path, "-o", folder_.path("map.txt"), "--swap-axes"}).status, 0);
+}
+
+TEST_F(BadInput, NotANumber) {
+  test::write_gis(folder_.path("a.gpkg"), "GPKG",
+                  {{"walls",
+                    "EPSG:25831",
+                    {{"LINESTRING(430000 4580000,430010 4580001)", {}, 1},
+                     {"LINESTRING(430000 4580010,430010 4580011)", {}}},
+                    wkbLineString}});
+  refuse(folder_.path("a.gpkg"), 3, "[C205]");
+  const auto skipped =
+      run({"convert", folder_.path("a.gpkg"), "-o", folder_.path("map.txt"), "--skip-broken"});
+  EXPECT_EQ(skipped.status, 1) << skipped.err;
+  EXPECT_TRUE(fs::exists(folder_.path("map.txt")));
+}
+
+TEST_F(BadInput, FarFromTheOrigin) {
+  refuse(shapefile(), 3, "[C220]", {"--origin", "-41.4,2.1"});
+}
+
+TEST_F(BadInput, OutputFolderMissing) {
+  const auto shp = shapefile();
+  const auto result = run({"convert", shp, "-o", folder_.path("no/such/map.txt")});
+  EXPECT_EQ(result.status, 4) << result.err;
+  EXPECT_NE(result.err.find("there is no folder"), std::string::npos);
+}
+
+TEST_F(BadInput, OutputFolderReadOnly) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  const auto shp = shapefile();
+  fs::create_directory(folder_.path("closed"));
+  ::chmod(folder_.path("closed").c_str(), 0555);
+  EXPECT_EQ(run({"convert", shp, "-o", folder_.path("closed/map.txt")}).status, 4);
+}
+
+TEST_F(BadInput, SidecarOfAnotherMapUnderTheName) {
+  folder_.file("map.georef.json", "{}");
+  test::write_gis(folder_.path("a.gpkg"), "GPKG",
+                  {{"walls", "", {{"LINESTRING(0 0,4 0)", {}}}, wkbLineString}});
+  const auto result =
+      run({"convert", folder_.path("a.gpkg"), "--local", "-o", folder_.path("map.txt")});
+  EXPECT_EQ(result.status, 4) << result.err;
+  EXPECT_FALSE(fs::exists(folder_.path("map.txt")));
+}
+
+TEST_F(BadInput, OptionsThatMakeNoSense) {
+  const auto shp = shapefile();
+  refuse(shp, 2, "no source has a layer 'roofs'", {"--layer", "roofs"});
+  refuse(shp, 2, "exclude each other", {"--local", "--source-crs", "EPSG:25831"});
+  refuse(shp, 2, "is no coordinate reference system", {"--source-crs", "EPSG:1"});
+  refuse(shp, 2, "is beyond ±90", {"--origin", "425800,4582230"});
+  refuse(shp, 2, "does not fit layer", {"--where", "no_such_field = 1"});
+  refuse(shp, 2, "GDAL has no driver", {"--allow-driver", "Nonsense"});
+  refuse(shp, 3, "cannot be read", {"--rules", folder_.path("none.yaml")});
+  refuse(shp, 3, "r.yaml:1:1: error:", {"--rules", folder_.file("r.yaml", "- kind\n")});
+  EXPECT_EQ(run({"convert", shp}).status, 2);
+}
+
+}  // namespace
+}  // namespace mapwright
