@@ -72,8 +72,10 @@ mapfile -t missing < <(missing_entries)
 if [ "${#missing[@]}" -eq 0 ]; then exit 0; fi
 
 export DEBIAN_FRONTEND=noninteractive
-as_root apt-get update -qq </dev/null >&2
+wait_for_others=(-o DPkg::Lock::Timeout=600)  # a fresh machine often updates itself meanwhile
+as_root apt-get "${wait_for_others[@]}" update -qq </dev/null >&2
 names=()
 for entry in "${missing[@]}"; do names+=("$(name_here "$entry")"); done
 say "Installing: ${names[*]}"
-as_root apt-get install -y -qq --no-install-recommends "${names[@]}" </dev/null >&2
+as_root apt-get "${wait_for_others[@]}" install -y -qq --no-install-recommends "${names[@]}" \
+  </dev/null >&2

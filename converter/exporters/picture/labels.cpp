@@ -214,6 +214,7 @@ void draw_labels(Canvas& canvas, const View& view, const std::vector<Shape>& sha
                  PictureLabels labels) {
   if (labels == PictureLabels::kNone) return;
   std::vector<const Shape*> order;
+  order.reserve(shapes.size());
   for (const auto& shape : shapes) order.push_back(&shape);
   std::stable_sort(order.begin(), order.end(),
                    [](const Shape* p, const Shape* q) { return size_of(*p) > size_of(*q); });

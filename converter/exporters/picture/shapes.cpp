@@ -73,7 +73,8 @@ std::vector<Point> stairs_outline(const Obstacle& stairs) {
   };
   for (const Point p : points) extend(p, 1);
   const std::size_t lower = hull.size();
-  for (auto p = points.rbegin(); p != points.rend(); ++p) extend(*p, lower);
+  std::reverse(points.begin(), points.end());
+  for (const Point p : points) extend(p, lower);
   if (hull.size() > 1) hull.pop_back();
   return hull;
 }
