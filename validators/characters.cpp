@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 
 namespace mapwright::validators {
 namespace {
@@ -71,10 +70,15 @@ bool is_wrongly_decoded(char32_t first, char32_t second) {
   return (first == 0xC2 || first == 0xC3) && second >= 0x80 && second <= 0xBF;
 }
 
+// "U+200B".
 std::string code_point(char32_t character) {
-  std::array<char, 16> buffer;
-  std::snprintf(buffer.data(), buffer.size(), "U+%04X", static_cast<unsigned>(character));
-  return buffer.data();
+  static constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string digits;
+  for (auto rest = static_cast<std::uint32_t>(character); rest > 0 || digits.size() < 4;
+       rest /= 16) {
+    digits.insert(digits.begin(), kDigits[rest % 16]);
+  }
+  return "U+" + digits;
 }
 
 std::optional<std::string> defect_of(char32_t before, char32_t character) {

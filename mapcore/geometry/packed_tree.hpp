@@ -34,8 +34,7 @@ class PackedTree {
 
   /// `item_box(i)` is the box of item i.
   template <class ItemBox>
-  PackedTree(std::size_t count, const ItemBox& item_box) {
-    order_ = sorted(count, item_box);
+  PackedTree(std::size_t count, const ItemBox& item_box) : order_(sorted(count, item_box)) {
     if (count == 0) return;
     levels_.push_back(grouped(order_.size(), [&](std::size_t k) { return item_box(order_[k]); }));
     while (levels_.back().size() > 1) {
@@ -84,7 +83,7 @@ class PackedTree {
   }
 
   // Children of a node: items on level 0, nodes of the level below elsewhere.
-  std::size_t first_child(std::size_t node) const { return node * kFanout; }
+  static std::size_t first_child(std::size_t node) { return node * kFanout; }
   std::size_t end_child(std::size_t level, std::size_t node) const {
     const std::size_t all = level == 0 ? order_.size() : levels_[level - 1].size();
     return std::min(all, (node + 1) * kFanout);

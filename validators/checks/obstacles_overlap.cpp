@@ -3,7 +3,7 @@
 #include <string>
 
 #include "validators/check.hpp"
-#include "validators/shape/pieces.hpp"
+#include "validators/shape/reach.hpp"
 #include "validators/shape/solid.hpp"
 #include "validators/wording.hpp"
 
@@ -11,12 +11,6 @@ namespace mapwright::validators {
 namespace {
 
 // What counts as overlapping: docs/decisions/0011-overlapping-obstacles.md.
-
-// Where one obstacle reaches into another: a segment of it, and where that begins to do so.
-struct Reach {
-  std::uint32_t segment;
-  Piece piece;
-};
 
 class Overlaps {
  public:
@@ -58,12 +52,12 @@ class Overlaps {
   void check_solid(ObstaclePair pair) {
     const auto [first, second] = pair;
     if (bodies_[first] == Body::kSolid) {
-      if (const auto reach = reach_into(region(first), second)) {
+      if (const auto reach = reach_into(context_, region(first), second, depth_m_)) {
         return report(second, first, *reach);
       }
     }
     if (bodies_[second] != Body::kSolid) return;
-    if (const auto reach = reach_into(region(second), first)) {
+    if (const auto reach = reach_into(context_, region(second), first, depth_m_)) {
       return report_reached(second, first, *reach);
     }
     if (bodies_[first] == Body::kSolid && is_same_ground(first, second)) {
@@ -78,10 +72,10 @@ class Overlaps {
     const bool first_is_ring = is_hollow(bodies_[pair.first]);
     const std::uint32_t ring = first_is_ring ? pair.first : pair.second;
     const std::uint32_t other = first_is_ring ? pair.second : pair.first;
-    if (const auto reach = reach_across(ring, other)) {
-      if (other == pair.second) return report(other, ring, *reach);
-      report_reached(ring, other, *reach);
-    }
+    const auto reach = reach_across(context_, ring, other, depth_m_);
+    if (!reach) return;
+    first_is_ring ? report(pair.second, pair.first, *reach)
+                  : report_reached(pair.second, pair.first, *reach);
   }
 
   const Region& region(std::uint32_t solid) {
@@ -92,82 +86,6 @@ class Overlaps {
       if (bodies_[held] == Body::kHole) holes.push_back(held);
     }
     return regions_.emplace(solid, Region(context_, solid, std::move(holes))).first->second;
-  }
-
-  static Box box_of(const Segment& segment) {
-    Box box = kEmptyBox;
-    box.add(segment.a);
-    box.add(segment.b);
-    return box;
-  }
-
-  // Calls `visit(segment, pieces)` for each blocking segment of an obstacle that comes near `box`.
-  template <class VisitEdges, class Visit>
-  void for_each_cut_segment(std::uint32_t obstacle, const Box& box, const VisitEdges& edges,
-                            const Visit& visit) const {
-    std::vector<std::uint32_t> near;
-    context_.edges(obstacle).visit(box, [&](std::uint32_t k) { near.push_back(k); });
-    std::sort(near.begin(), near.end());
-    std::vector<Cut> cuts;
-    for (const auto k : near) {
-      const Segment& segment = obstacles_[obstacle].segments[k];
-      if (!(segment.height_m > 0.0)) continue;
-      cuts.clear();
-      edges(box_of(segment), [&](std::uint32_t other, std::uint32_t e) {
-        add_cuts(segment, obstacles_[other].segments[e], other, e, cuts);
-      });
-      if (!visit(k, pieces_of(segment, cuts))) return;
-    }
-  }
-
-  // The first piece of the obstacle that lies in the solid, deeper than touching.
-  std::optional<Reach> reach_into(const Region& region, std::uint32_t obstacle) const {
-    std::optional<Reach> reach;
-    const auto edges = [&](const Box& box, const auto& visit) { region.visit_edges(box, visit); };
-    for_each_cut_segment(obstacle, context_.outlines()[region.outer()].box, edges,
-                         [&](std::uint32_t k, const std::vector<Piece>& pieces) {
-                           for (const Piece& piece : pieces) {
-                             if (is_too_short(piece) || !region.holds(piece.middle(), depth_m_))
-                               continue;
-                             reach = Reach{k, piece};
-                             return false;
-                           }
-                           return true;
-                         });
-    return reach;
-  }
-
-  // A piece between two points of an outline lies no deeper than half its length.
-  bool is_too_short(const Piece& piece) const {
-    return distance(piece.from, piece.to) <= 2.0 * depth_m_;
-  }
-
-  // The first piece of the obstacle on the other side of the ring than a piece before it.
-  std::optional<Reach> reach_across(std::uint32_t ring, std::uint32_t obstacle) const {
-    const EdgeFinder& outline = context_.edges(ring);
-    const auto edges = [&](const Box& box, const auto& visit) {
-      outline.visit(box, [&](std::uint32_t e) { visit(ring, e); });
-    };
-    std::optional<PointSide> side_before;
-    std::optional<Point> end_before;
-    std::optional<Reach> reach;
-    const auto crosses = [&](std::uint32_t k, const Piece& piece) {
-      if (end_before != piece.from) side_before.reset();
-      end_before = piece.to;
-      if (is_too_short(piece) || outline.distance_m(piece.middle()) <= depth_m_) return false;
-      const PointSide side = outline.side(piece.middle());
-      if (side_before && *side_before != side) reach = Reach{k, piece};
-      side_before = side;
-      return reach.has_value();
-    };
-    for_each_cut_segment(obstacle, context_.outlines()[ring].box, edges,
-                         [&](std::uint32_t k, const std::vector<Piece>& pieces) {
-                           for (const Piece& piece : pieces) {
-                             if (crosses(k, piece)) return false;
-                           }
-                           return true;
-                         });
-    return reach;
   }
 
   bool is_same_ground(std::uint32_t first, std::uint32_t second) {
