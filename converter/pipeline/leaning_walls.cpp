@@ -13,10 +13,32 @@ bool is_ring(const Draft& draft) {
   return is_closed(type) && type != ShapeType::kRamp;
 }
 
-SegmentIndex ring_edges(const std::vector<Draft>& drafts) {
+bool is_wall(const Draft& draft) {
+  return is_open_chain(draft.obstacle.shape_type);
+}
+
+bool meet(const Box& p, const Box& q) {
+  return p.min_x <= q.max_x && q.min_x <= p.max_x && p.min_y <= q.max_y && q.min_y <= p.max_y;
+}
+
+// Box around all walls.
+Box extent_of_walls(const std::vector<Draft>& drafts) {
+  Box all = kEmptyBox;
+  for (const auto& draft : drafts) {
+    if (!is_wall(draft)) continue;
+    for (const auto& segment : draft.obstacle.segments) {
+      all.add(segment.a);
+      all.add(segment.b);
+    }
+  }
+  return all;
+}
+
+// Edges of the rings that walls can lean on.
+SegmentIndex ring_edges(const std::vector<Draft>& drafts, const Box& walls) {
   std::vector<IndexedSegment> edges;
   for (const auto& draft : drafts) {
-    if (!is_ring(draft)) continue;
+    if (!is_ring(draft) || !meet(extent(draft.obstacle), walls)) continue;
     for (const auto& segment : draft.obstacle.segments) edges.push_back({segment.a, segment.b, 0});
   }
   return SegmentIndex(std::move(edges));
@@ -57,11 +79,11 @@ void reverse(Obstacle& wall) {
 }  // namespace
 
 void turn_leaning_walls(Workspace& workspace) {
-  const auto edges = ring_edges(workspace.drafts);
-  if (edges.size() == 0) return;
+  const Box walls = extent_of_walls(workspace.drafts);
+  if (walls.is_empty()) return;
+  const auto edges = ring_edges(workspace.drafts, walls);
   for (auto& draft : workspace.drafts) {
-    if (!is_open_chain(draft.obstacle.shape_type) || !leans_wrongly(draft.obstacle, edges))
-      continue;
+    if (!is_wall(draft) || !leans_wrongly(draft.obstacle, edges)) continue;
     reverse(draft.obstacle);
     for (const std::size_t account : draft.features) {
       workspace.ledger.change(

@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Converts one generated layer of buildings with `mapwright convert` and with `ogr2ogr -t_srs`, in turn,
+# and prints the CPU time of each and the ratios. Needs ogr2ogr (package gdal-bin).
+# Usage: bench/convert_vs_ogr2ogr.sh MAPWRIGHT [BUILDINGS (default 100000)] [ROUNDS (default 3)]
+set -euo pipefail
+
+mapwright=${1:?usage: $0 MAPWRIGHT [BUILDINGS] [ROUNDS]}
+buildings=${2:-100000}
+rounds=${3:-3}
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# Turned L-shaped and rectangular buildings on a grid of 30 m, in UTM zone 31 north.
+make_drawing() {
+  awk -v n="$buildings" 'BEGIN {
+    print "WKT,height,name"
+    side = int(sqrt(n)) + 1
+    split("0 0 18 0 18 8 9 8 9 16 0 16 0 0", ell, " ")
+    split("0 0 18 0 18 12 0 12 0 0", box, " ")
+    for (i = 0; i < n; i++) {
+      x0 = 428000 + 30 * (i % side); y0 = 4580000 + 30 * int(i / side)
+      a = i % 90 * 3.14159265358979 / 180; c = cos(a); s = sin(a)
+      text = ""
+      m = i % 2 ? 14 : 10
+      for (k = 1; k < m; k += 2) {
+        x = i % 2 ? ell[k] : box[k]; y = i % 2 ? ell[k + 1] : box[k + 1]
+        text = text (k > 1 ? "," : "") sprintf("%.4f %.4f", x0 + c * x - s * y, y0 + s * x + c * y)
+      }
+      printf "\"POLYGON((%s))\",%d,block %d\n", text, 4 + i % 20, i
+    }
+  }' >"$folder/drawing.csv"
+  ogr2ogr -q -f GPKG "$folder/buildings.gpkg" "$folder/drawing.csv" -nln buildings -a_srs EPSG:25831 \
+    -oo GEOM_POSSIBLE_NAMES=WKT -oo KEEP_GEOM_COLUMNS=NO -oo AUTODETECT_TYPE=YES
+}
+
+# cpu_seconds COMMAND...: user and system time.
+cpu_seconds() {
+  local TIMEFORMAT='%U %S'
+  { time "$@" >/dev/null 2>&1; } 2>&1 | awk '{ printf "%.2f\n", $1 + $2 }'
+}
+
+least() { sort -n "$1" | head -n 1; }
+
+make_drawing
+frame='+proj=tmerc +lat_0=41.37 +lon_0=2.14 +k=1 +datum=WGS84'
+for ((round = 0; round < rounds; round++)); do
+  rm -rf "$folder"/out.*
+  cpu_seconds "$mapwright" convert "$folder/buildings.gpkg" -o "$folder/out.txt" \
+    --origin 41.37,2.14 --rules auto >>"$folder/mapwright"
+  cpu_seconds ogr2ogr -f GPKG -t_srs "$frame" "$folder/out.gpkg" "$folder/buildings.gpkg" >>"$folder/gpkg"
+  cpu_seconds ogr2ogr -t_srs "$frame" "$folder/out.shp" "$folder/buildings.gpkg" >>"$folder/shp"
+done
+
+[[ -s $folder/out.txt ]] || { echo "mapwright wrote no map" >&2; exit 1; }
+ours=$(least "$folder/mapwright")
+printf '%d buildings, least CPU time of %d rounds\n' "$buildings" "$rounds"
+printf 'mapwright convert, validated     %6.2f s\n' "$ours"
+for peer in gpkg shp; do
+  theirs=$(least "$folder/$peer")
+  awk -v peer="$peer" -v ours="$ours" -v theirs="$theirs" 'BEGIN {
+    printf "ogr2ogr -t_srs to %-14s %6.2f s, %.2f times ours\n", peer, theirs, theirs / ours }'
+done
