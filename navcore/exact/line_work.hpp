@@ -28,7 +28,7 @@ struct Edge {
 
 /// Lines that have been cut where they meet: two edges share an end or nothing.
 struct LineWork {
-  std::vector<GridPoint> vertices;  ///< ascending, each once
+  std::vector<GridPoint> vertices;  ///< each once, near ones mostly near in memory
   std::vector<Edge> edges;          ///< ascending by (a, b), each once
   std::vector<Piece> pieces;        ///< grouped by edge; within an edge ascending by source
 

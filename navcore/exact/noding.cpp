@@ -155,25 +155,65 @@ std::vector<Line> cut(const std::vector<Line>& lines, const LineGrid& grid, Meet
   return pieces;
 }
 
+// An end of a line.
+struct End {
+  std::uint64_t key;
+  std::uint32_t number;  // 2 · line, + 1 for its end
+};
+
+// The bits of a number with a gap before each.
+std::uint64_t spread(std::uint32_t number) {
+  std::uint64_t bits = number;
+  bits = (bits | bits << 16U) & 0x0000'ffff'0000'ffffU;
+  bits = (bits | bits << 8U) & 0x00ff'00ff'00ff'00ffU;
+  bits = (bits | bits << 4U) & 0x0f0f'0f0f'0f0f'0f0fU;
+  bits = (bits | bits << 2U) & 0x3333'3333'3333'3333U;
+  return (bits | bits << 1U) & 0x5555'5555'5555'5555U;
+}
+
+// Position on the Z-order curve (Morton, 1966): neighbours in the order are mostly neighbours in
+// the plane, so what follows works on memory that is near.
+std::uint64_t key_of(GridPoint p) {
+  constexpr std::uint32_t kSignBit = 1U << 31U;
+  return spread(static_cast<std::uint32_t>(p.x) ^ kSignBit) |
+         spread(static_cast<std::uint32_t>(p.y) ^ kSignBit) << 1U;
+}
+
+// Fills in the vertices; gives the vertex of each line's start and end.
+std::vector<std::uint32_t> number_vertices(const std::vector<Line>& lines,
+                                           std::vector<GridPoint>& vertices) {
+  std::vector<End> ends;
+  ends.reserve(2 * lines.size());
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    ends.push_back({key_of(lines[i].a), 2 * i});
+    ends.push_back({key_of(lines[i].b), 2 * i + 1});
+  }
+  std::sort(ends.begin(), ends.end(), [](const End& p, const End& q) { return p.key < q.key; });
+  std::vector<std::uint32_t> vertex_of_end(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Line& line = lines[ends[i].number / 2];
+    if (i == 0 || ends[i].key != ends[i - 1].key) {
+      vertices.push_back(ends[i].number % 2 == 0 ? line.a : line.b);
+    }
+    vertex_of_end[ends[i].number] = static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+  return vertex_of_end;
+}
+
 struct NumberedPiece {
   std::uint64_t ends;  // smaller vertex number above the larger one
   Piece piece;
 };
 
-std::uint32_t vertex_number(const std::vector<GridPoint>& vertices, GridPoint p) {
-  return static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), p) -
-                                    vertices.begin());
-}
-
 std::vector<NumberedPiece> number_pieces(const std::vector<Line>& lines,
-                                         const std::vector<GridPoint>& vertices) {
+                                         const std::vector<std::uint32_t>& vertex_of_end) {
   std::vector<NumberedPiece> pieces;
   pieces.reserve(lines.size());
-  for (const Line& line : lines) {
-    std::uint64_t a = vertex_number(vertices, line.a), b = vertex_number(vertices, line.b);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::uint64_t a = vertex_of_end[2 * i], b = vertex_of_end[2 * i + 1];
     const bool reversed = a > b;
     if (reversed) std::swap(a, b);
-    pieces.push_back({a << 32U | b, {line.source, reversed}});
+    pieces.push_back({a << 32U | b, {lines[i].source, reversed}});
   }
   std::sort(pieces.begin(), pieces.end(), [](const NumberedPiece& p, const NumberedPiece& q) {
     if (p.ends != q.ends) return p.ends < q.ends;
@@ -186,11 +226,10 @@ std::vector<NumberedPiece> number_pieces(const std::vector<Line>& lines,
 // Numbers vertices and joins lines that run along the same edge.
 LineWork join(const std::vector<Line>& lines) {
   LineWork work;
-  work.vertices = all_ends(lines);
-  std::sort(work.vertices.begin(), work.vertices.end());
-  work.vertices.erase(std::unique(work.vertices.begin(), work.vertices.end()), work.vertices.end());
-  const auto pieces = number_pieces(lines, work.vertices);
+  const auto vertex_of_end = number_vertices(lines, work.vertices);
+  const auto pieces = number_pieces(lines, vertex_of_end);
   work.pieces.reserve(pieces.size());
+  work.edges.reserve(pieces.size());
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (i == 0 || pieces[i].ends != pieces[i - 1].ends) {
       work.edges.push_back({static_cast<std::uint32_t>(pieces[i].ends >> 32U),

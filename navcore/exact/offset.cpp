@@ -176,11 +176,9 @@ void mark_free(Tessellation& space) {
 }
 
 double half_of_narrow_side_mm(const std::vector<GridPoint>& points) {
-  if (points.empty()) return 0.0;
-  const auto [low, high] = std::minmax_element(points.begin(), points.end(),
-                                               [](GridPoint p, GridPoint q) { return p.y < q.y; });
-  const double width = static_cast<double>(std::int64_t{points.back().x} - points.front().x);
-  return 0.5 * std::min(width, static_cast<double>(std::int64_t{high->y} - low->y));
+  Box box = kEmptyBox;
+  for (const GridPoint p : points) box.add({static_cast<double>(p.x), static_cast<double>(p.y)});
+  return points.empty() ? 0.0 : 0.5 * std::min(box.width(), box.height());
 }
 
 }  // namespace

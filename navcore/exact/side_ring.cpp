@@ -1,6 +1,7 @@
 #include "navcore/exact/side_ring.hpp"
 
-#include <algorithm>
+#include <array>
+#include <bit>
 
 namespace mapwright::navcore::exact {
 
@@ -25,24 +26,32 @@ SideRings::SideRings(const Tessellation& space)
   }
 }
 
+namespace {
+
+constexpr std::size_t kLengthClasses = 256;
+
+// The exponent of the squared length and its next two bits: lengths of one class differ by an
+// eighth at most.
+std::size_t length_class(GridPoint a, GridPoint b) {
+  const auto squared = static_cast<std::uint64_t>(squared_distance(a, b));
+  const int width = static_cast<int>(std::bit_width(squared));
+  const std::uint64_t next_bits = width > 2 ? squared >> static_cast<unsigned>(width - 3) & 3U : 0;
+  return 4 * static_cast<std::size_t>(width) + next_bits;
+}
+
+}  // namespace
+
 void SideRings::merge() {
-  struct Candidate {
-    std::int64_t squared_length;
-    std::uint32_t side;
-  };
-  std::vector<Candidate> candidates;
+  std::array<std::vector<std::uint32_t>, kLengthClasses> by_length;
   for (std::uint32_t side = 0; side < side_count(); ++side) {
     if (twin_[side] <= static_cast<std::int32_t>(side)) continue;
-    candidates.push_back(
-        {squared_distance(start_point(side), start_point(static_cast<std::uint32_t>(twin_[side]))),
-         side});
+    const GridPoint end = start_point(static_cast<std::uint32_t>(twin_[side]));
+    by_length[length_class(start_point(side), end)].push_back(side);
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& p, const Candidate& q) {
-    return p.squared_length != q.squared_length ? p.squared_length > q.squared_length
-                                                : p.side < q.side;
-  });
-  for (const Candidate& candidate : candidates) {
-    if (stays_convex_without(candidate.side)) take_away(candidate.side);
+  for (auto sides = by_length.rbegin(); sides != by_length.rend(); ++sides) {
+    for (const std::uint32_t side : *sides) {
+      if (stays_convex_without(side)) take_away(side);
+    }
   }
 }
 

@@ -14,7 +14,8 @@ class SideRings {
  public:
   explicit SideRings(const Tessellation& space);
 
-  /// Longest sides first (Hertel and Mehlhorn's rule: a side goes where both its ends stay convex).
+  /// Longest sides first, to within an eighth (Hertel and Mehlhorn's rule: a side goes where
+  /// both its ends stay convex).
   void merge();
 
   std::uint32_t side_count() const { return static_cast<std::uint32_t>(twin_.size()); }

@@ -2,11 +2,8 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
 
 #include <numeric>
 
@@ -21,32 +18,29 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
                                                        CGAL::No_constraint_intersection_tag>;
 
-std::vector<Kernel::Point_2> kernel_points(const LineWork& work) {
-  std::vector<Kernel::Point_2> points;
-  points.reserve(work.vertices.size());
-  for (const GridPoint p : work.vertices) points.emplace_back(p.x, p.y);
-  return points;
-}
-
-// Points close in the plane are inserted one after the other, so that each is found from the last.
-std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_2>& points) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  using PointOf = CGAL::Pointer_property_map<Kernel::Point_2>::const_type;
-  const PointOf point_of(points.data());
-  CGAL::spatial_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<Kernel, PointOf>(point_of));
+// The vertices come in an order that keeps neighbours together. A coarse sample of them goes first,
+// then finer ones: no long row of points is ever added to an empty plane, which is slow.
+std::vector<std::uint32_t> insertion_order(std::size_t count) {
+  std::vector<std::uint32_t> order;
+  order.reserve(count);
+  constexpr std::size_t kCoarsest = 4096, kRatio = 8;
+  for (std::size_t stride = kCoarsest; stride > 0; stride /= kRatio) {
+    for (std::size_t i = 0; i < count; i += stride) {
+      const bool is_in = stride < kCoarsest && i % (stride * kRatio) == 0;
+      if (!is_in) order.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
   return order;
 }
 
 Cdt build(const LineWork& work) {
-  const auto points = kernel_points(work);
   Cdt cdt;
-  std::vector<Cdt::Vertex_handle> handles(points.size());
+  std::vector<Cdt::Vertex_handle> handles(work.vertices.size());
   Cdt::Face_handle hint;
-  for (const std::size_t i : insertion_order(points)) {
-    handles[i] = cdt.insert(points[i], hint);
-    handles[i]->info() = static_cast<std::uint32_t>(i);
+  for (const std::uint32_t i : insertion_order(handles.size())) {
+    const GridPoint p = work.vertices[i];
+    handles[i] = cdt.insert(Kernel::Point_2(p.x, p.y), hint);
+    handles[i]->info() = i;
     hint = handles[i]->face();
   }
   for (const Edge& edge : work.edges) cdt.insert_constraint(handles[edge.a], handles[edge.b]);

@@ -63,6 +63,10 @@ SolidRings::SolidRings(const Map& map, RampPolicy ramps) {
   std::vector<RingPoints> points;
   collect(map, ramps, points);
   locator_.emplace(points);
+  const bool any_hollow = std::any_of(rings_.begin(), rings_.end(), [](const Ring& ring) {
+    return ring.kind == Kind::kHollow;
+  });
+  if (!any_hollow) return;  // nothing takes away from a solid ring
   nest(points);
   tie_inner_rings(map);
   const auto is_outermost = [](const Ring& ring) { return ring.within.empty(); };
