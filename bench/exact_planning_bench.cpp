@@ -1,18 +1,21 @@
 // The exact planner: what a map costs to prepare, and what a query costs beside OMPL's RRTConnect
 // with our exact check of motions, for the same pairs in the same run.
 //
-// exact_planning_bench [WORLD.geojson QUERIES.csv]: with a polygonal world and published lengths,
-// also the time a query takes there. One thread, processor time.
+// exact_planning_bench [WORLD...]: with worlds that have published lengths, also the time a query
+// takes there: X.geojson beside X.queries.csv (polygons of free space, Euclidean optima), or X.map
+// beside X.map.scen (grid, optima of straight and diagonal steps). One thread, processor time.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <functional>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "bench/ompl_planner.hpp"
 #include "bench/support/campus_generator.hpp"
+#include "bench/support/grid_world.hpp"
 #include "bench/support/machine.hpp"
 #include "bench/support/polygonal_world.hpp"
 #include "navcore/exact/exact_planner.hpp"
@@ -141,24 +144,48 @@ void prepare(const Map& map) {
   std::printf("%9.0f %14.2f %14.2f %14.2f\n", count, build(0.0), build(0.4), widths_us);
 }
 
-void measure_world(const char* world_path, const char* queries_path) {
-  std::ifstream world(world_path), csv(queries_path);
-  const Map map = read_polygonal_world(world);
-  const auto queries = read_published_queries(csv);
-  const auto planner = ExactPlanner::build(map, {});
+struct World {
+  Map map;
+  std::vector<PublishedQuery> queries;
+};
+
+World read_world(const std::string& path) {
+  std::ifstream world(path);
+  if (path.ends_with(".map")) {
+    std::ifstream scenarios(path + ".scen");
+    return {read_grid_world(world), read_scenarios(scenarios)};
+  }
+  std::ifstream csv(path.substr(0, path.rfind('.')) + ".queries.csv");
+  return {read_polygonal_world(world), read_published_queries(csv)};
+}
+
+void measure_world(const std::string& path) {
+  const World world = read_world(path);
+  const auto planner = ExactPlanner::build(world.map, {});
   Score score;
   ExactWorkspace workspace;
-  std::size_t met = 0;
-  for (const auto& query : queries) {
+  double published_m = 0.0;
+  std::size_t met = 0, longer = 0;
+  for (const auto& query : world.queries) {
     navcore::ExactAnswer answer;
     score.times_s.push_back(
         seconds_of([&] { answer = planner->plan(query.start, query.goal, workspace); }));
+    score.lengths_m.push_back(answer.length_m);
+    published_m += query.optimum_m;
     met += std::abs(answer.length_m - query.optimum_m) <= 1e-4 * query.optimum_m ? 1U : 0U;
+    longer += answer.path.empty() || answer.length_m > query.optimum_m + 1e-5 ? 1U : 0U;
   }
-  std::printf(
-      "\n%s: %zu segments, %zu of %zu published lengths met, median %.1f us, mean %.1f us\n",
-      world_path, segment_count(map), met, queries.size(), 1e6 * score.median_s(),
-      1e6 * score.mean_s());
+  const std::string name = path.substr(path.rfind('/') + 1);
+  std::printf("%-22s %8zu %7zu %7zu %7zu %12.0f %12.0f %10.1f %10.1f\n", name.c_str(),
+              segment_count(world.map), world.queries.size(), met, longer, published_m,
+              score.length_m(), 1e6 * score.median_s(), 1e6 * score.mean_s());
+}
+
+void measure_worlds(int count, char** paths) {
+  std::printf("\nworlds with published lengths (met: to 1e-4; longer: more than published)\n");
+  std::printf("%-22s %8s %7s %7s %7s %12s %12s %10s %10s\n", "", "segments", "queries", "met",
+              "longer", "published m", "ours m", "median us", "mean us");
+  for (int i = 0; i < count; ++i) measure_world(paths[i]);
 }
 
 }  // namespace
@@ -179,5 +206,5 @@ int main(int argc, char** argv) {
                 campus.side_m);
     for (const double radius_m : {0.0, 0.4}) compare(map, radius_m);
   }
-  if (argc == 3) measure_world(argv[1], argv[2]);
+  if (argc > 1) measure_worlds(argc - 1, argv + 1);
 }
