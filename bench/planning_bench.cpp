@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "bench/ompl_planner.hpp"
 #include "bench/support/campus_generator.hpp"
 #include "bench/support/machine.hpp"
+#include "bench/support/timing.hpp"
 #include "navcore/planning/path.hpp"
 #include "navcore/planning/planner.hpp"
 #include "navcore/planning/smoothing.hpp"
@@ -32,12 +32,6 @@ struct Contender {
   const char* name;
   Planner plan;
 };
-
-// Processor time, since everything here runs on one thread: other work on the machine does not
-// count.
-double seconds_now() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 Planner ours(PlanningResult (*plan)(const FreeSpace&, const PlanQuery&, const RrtOptions&, Random&),
              double max_extension_m) {
@@ -94,9 +88,9 @@ void measure(const FreeSpace& space, const std::vector<PlanQuery>& pairs, const 
   double length_m = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Random random(1, i);
-    const double begin = seconds_now();
+    const double begin = processor_seconds();
     const PlanningResult result = one.plan(space, pairs[i], random);
-    times_s.push_back(seconds_now() - begin);
+    times_s.push_back(processor_seconds() - begin);
     iterations += result.iterations;
     if (!result.solved) continue;
     ++solved;
@@ -115,19 +109,19 @@ void measure(const FreeSpace& space, const std::vector<PlanQuery>& pairs, const 
 void measure_reachability(const FreeSpace& space, double radius_m) {
   navcore::ReachabilityOptions options;
   options.radius_m = radius_m;
-  const double begin = seconds_now();
+  const double begin = processor_seconds();
   const navcore::ReachabilityMap reachability(space, options);
   std::printf("  reachability of all areas: %.0f ms, %zu cells, %zu areas\n",
-              1e3 * (seconds_now() - begin), reachability.cell_count(),
+              1e3 * (processor_seconds() - begin), reachability.cell_count(),
               reachability.areas().size());
 }
 
 void run(const CampusOptions& options, std::size_t pairs) {
   const Map map = generate_campus(options);
-  const double begin = seconds_now();
+  const double begin = processor_seconds();
   const FreeSpace space(map);
   std::printf("\n%zu segments on %.0f m x %.0f m; free space built in %.1f ms\n", options.segments,
-              options.side_m, options.side_m, 1e3 * (seconds_now() - begin));
+              options.side_m, options.side_m, 1e3 * (processor_seconds() - begin));
   for (const double radius_m : {0.0, 0.4}) {
     const auto queries = draw_pairs(space, radius_m, pairs);
     std::printf("\nradius %.1f m, %zu pairs\n", radius_m, queries.size());

@@ -11,6 +11,9 @@
 
 namespace mapwright::test {
 
+// Apart from functions of these names in other headers of tests.
+inline namespace hand_made {
+
 inline Segment segment(Point a, Point b, double height_m) {
   return {a, b, height_m, InOut::kOutdoor, "wall"};
 }
@@ -90,4 +93,5 @@ inline Map map10(std::vector<Obstacle> obstacles) {
   return map({0.0, 10.0, 10.0, 0.0}, std::move(obstacles));
 }
 
+}  // namespace hand_made
 }  // namespace mapwright::test
