@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -10,9 +9,11 @@
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/findings_text.hpp"
+#include "cli/support/laser_options.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/support/map_list.hpp"
 #include "cli/support/map_reports.hpp"
+#include "cli/support/number_options.hpp"
 #include "cli/verb.hpp"
 #include "navcore/parallel.hpp"
 #include "validators/deployment/deployment_gate.hpp"
@@ -138,6 +139,7 @@ void Check::declare(po::options_description& options,
   add("min-converged", text("0.8"),
       "share of the localization runs, from 0 to 1, that must find their place (else N104)");
   add("min-unreachable", text("1"), "smallest area, in m², that N102 reports as out of reach");
+  declare_laser_options(options);
   add("seed", text("1"), "of the random numbers, a whole number");
   add("jobs", text("1"), "threads; 0: as many as the machine has. The answer is the same");
   add("shard", text("1/1"), "part/parts: check this part of the maps only");
@@ -161,19 +163,13 @@ void Check::configure(const po::variables_map& values) {
 
 void Check::configure_robot(const po::variables_map& values) {
   const auto text = [&](const char* name) { return values[name].as<std::string>(); };
-  const auto number = [&](const char* name, double most, const char* limits) {
-    const double value = parse_number(name, text(name));
-    if (value < 0.0 || value > most) {
-      fail_usage("--" + std::string(name) + ": must " + limits + ", got " + text(name));
-    }
-    return value;
-  };
   auto& robot = options_.deployment;
-  robot.robot_radius_m = number("robot-radius", HUGE_VAL, "not be negative");
-  options_.min_unreachable_m2 = number("min-unreachable", HUGE_VAL, "not be negative");
-  options_.min_converged = number("min-converged", 1.0, "be from 0 to 1");
+  robot.robot_radius_m = number_option(values, "robot-radius", 0.0);
+  options_.min_unreachable_m2 = number_option(values, "min-unreachable", 0.0);
+  options_.min_converged = number_option(values, "min-converged", 0.0, 1.0);
   robot.plans = parse_integer("plans", text("plans"), 0, 1'000'000);
   robot.localization_trials = parse_integer("trials", text("trials"), 0, 1'000'000);
+  robot.localization.laser = laser_model(values);
   robot.seed = parse_integer("seed", text("seed"));
   if (text("ramps") != "free" && text("ramps") != "avoid") {
     fail_usage("--ramps: '" + text("ramps") + "' is neither free nor avoid");

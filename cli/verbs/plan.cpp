@@ -1,4 +1,3 @@
-#include <cmath>
 #include <optional>
 
 #include "cli/plan/answer_writers.hpp"
@@ -6,6 +5,7 @@
 #include "cli/support/arguments.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
+#include "cli/support/number_options.hpp"
 #include "cli/support/number_table.hpp"
 #include "cli/support/planners.hpp"
 #include "cli/verb.hpp"
@@ -35,24 +35,6 @@ Examples:
 
 Exit status 1 if one of the queries has no answer.
 )";
-
-// What a number option must be, beyond finite.
-struct Limits {
-  double least = 0.0;
-  bool least_is_allowed = true;
-  double most = HUGE_VAL;  // exclusive
-  const char* words = "must not be negative";
-};
-
-double number_option(const po::variables_map& values, const std::string& name,
-                     const Limits& limits) {
-  const double number = parse_number(name, values[name].as<std::string>());
-  const bool low = limits.least_is_allowed ? number < limits.least : number <= limits.least;
-  if (low || number >= limits.most) {
-    fail_usage("--" + name + ": " + limits.words + ", got " + values[name].as<std::string>());
-  }
-  return number;
-}
 
 class Plan : public Verb {
  public:
@@ -130,10 +112,10 @@ void Plan::configure(const po::variables_map& values) {
   settings_.seed = integer("seed", 0, UINT64_MAX);
   settings_.rrt.max_iterations = integer("max-iterations", 1, 1'000'000'000);
   jobs_ = static_cast<unsigned>(integer("jobs", 0, 1024));
-  settings_.radius_m = number_option(values, "radius", {});
-  settings_.rrt.max_extension_m = number_option(values, "max-extension", {});
-  settings_.rrt.goal_bias =
-      number_option(values, "goal-bias", {0.0, true, 1.0, "must be from 0 to below 1"});
+  settings_.radius_m = number_option(values, "radius", 0.0);
+  settings_.rrt.max_extension_m = number_option(values, "max-extension", 0.0);
+  settings_.rrt.goal_bias = number_option(values, "goal-bias", 0.0, 1.0);
+  if (settings_.rrt.goal_bias == 1.0) fail_usage("--goal-bias: must be below 1");
   for (const char* name : {"via", "via-ramp"}) {
     if (values.count(name) == 0) continue;
     for (const auto& text : values[name].as<std::vector<std::string>>()) {
@@ -143,11 +125,7 @@ void Plan::configure(const po::variables_map& values) {
   configure_ramps(values["ramps"].as<std::string>());
   configure_smoothing(values);
   with_tree_ = values.count("with-tree") > 0;
-  const auto& format = values["format"].as<std::string>();
-  if (format != "text" && format != "json") {
-    fail_usage("--format: '" + format + "' is neither text nor json");
-  }
-  json_ = format == "json";
+  json_ = json_wanted(values);
   if (with_tree_ && !json_) fail_usage("--with-tree: needs --format json");
 }
 
@@ -182,7 +160,7 @@ void Plan::configure_smoothing(const po::variables_map& values) {
   if (values.count("smooth") > 0 && values.count("no-smooth") > 0) {
     fail_usage("--smooth and --no-smooth exclude each other");
   }
-  settings_.smoothing->extra_clearance_m = number_option(values, "smooth-clearance", {});
+  settings_.smoothing->extra_clearance_m = number_option(values, "smooth-clearance", 0.0);
   if (values.count("no-smooth") > 0) settings_.smoothing.reset();
 }
 
