@@ -26,8 +26,14 @@ void draw_localization(const Json& answer, converter::Overlay& overlay,
 void draw_plan(const Json& answer, converter::Overlay& overlay);
 void draw_findings(const Json& answer, converter::Overlay& overlay);
 
-/// Rays of one scan, where they end, and the robot. `angles_deg` count from the heading.
+/// Rays of one scan and where they end. `angles_deg` count from the heading.
 void add_scan(converter::Overlay& overlay, const Pose& pose, std::span<const double> angles_deg,
               std::span<const double> ranges_m, double max_range_m);
+
+/// A robot, and what it stands for in the legend.
+void add_robot(converter::Overlay& overlay, const Pose& pose, double radius_pt,
+               converter::Colour colour, std::string meaning);
+
+inline constexpr auto kRobotColour = converter::Colour::from_hex(0x0B3C5D);
 
 }  // namespace mapwright::cli

@@ -4,6 +4,7 @@
 
 #include "cli/render/drawers.hpp"
 #include "cli/support/error.hpp"
+#include "navcore/rays/laser.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -53,11 +54,18 @@ void add_particles(const Json& particles, converter::Overlay& overlay) {
   overlay.items.insert(overlay.items.end(), sizes.begin(), sizes.end());
 }
 
-void add_robot(const Json& pose, double radius_pt, Colour colour, const char* meaning,
-               converter::Overlay& overlay) {
-  const converter::OverlayPose robot{pose_of(pose), radius_pt, colour};
-  add_legend(overlay, robot, meaning);
-  overlay.items.emplace_back(robot);
+// What the robot saw, from where it stood.
+void add_seen(const Json& answer, const Json& iteration, converter::Overlay& overlay) {
+  if (!iteration.contains("scan") || !iteration.contains("true_pose")) return;
+  const Json& settings = answer.at("settings");
+  navcore::LaserModel laser;
+  laser.rays = settings.at("rays").get<std::size_t>();
+  laser.fov_deg = settings.at("fov_deg").get<double>();
+  laser.max_range_m = settings.at("max_range").get<double>();
+  std::vector<double> angles_deg;
+  for (std::size_t i = 0; i < laser.rays; ++i) angles_deg.push_back(ray_angle_deg(laser, i));
+  const auto ranges_m = iteration.at("scan").get<std::vector<double>>();
+  add_scan(overlay, pose_of(iteration.at("true_pose")), angles_deg, ranges_m, laser.max_range_m);
 }
 
 }  // namespace
@@ -65,12 +73,14 @@ void add_robot(const Json& pose, double radius_pt, Colour colour, const char* me
 void draw_localization(const Json& answer, converter::Overlay& overlay,
                        std::optional<std::size_t> iteration) {
   const Json& shown = chosen_iteration(answer, iteration);
-  add_particles(particles_of(shown), overlay);
+  const Json& particles = particles_of(shown);
+  add_seen(answer, shown, overlay);
+  add_particles(particles, overlay);
   if (shown.contains("true_pose")) {
-    add_robot(shown.at("true_pose"), 4.0, kTruth, "true pose", overlay);
+    add_robot(overlay, pose_of(shown.at("true_pose")), 4.5, kTruth, "true pose");
   }
   if (shown.contains("estimate")) {
-    add_robot(shown.at("estimate"), 2.8, kEstimate, "estimate", overlay);
+    add_robot(overlay, pose_of(shown.at("estimate")), 2.6, kEstimate, "estimate");
   }
 }
 

@@ -5,7 +5,7 @@ namespace {
 
 using converter::Colour;
 
-constexpr Colour kTree = Colour::from_hex(0x4C7FB0, 0.75);
+constexpr Colour kTree = Colour::from_hex(0x2F6FAE, 0.85);
 constexpr Colour kRaw = Colour::from_hex(0xD55E00);
 constexpr Colour kPath = Colour::from_hex(0xB0005A);
 constexpr Colour kStart = Colour::from_hex(0x00694D);
@@ -20,7 +20,7 @@ std::vector<Point> points_of(const Json& path) {
 
 void add_tree(const Json& query, converter::Overlay& overlay) {
   if (!query.contains("tree")) return;
-  converter::OverlaySegments tree{{}, {kTree, 0.45}};
+  converter::OverlaySegments tree{{}, {kTree, 0.7}};
   for (const auto& edge : query.at("tree")) {
     tree.segments.emplace_back(Point{edge.at(0).get<double>(), edge.at(1).get<double>()},
                                Point{edge.at(2).get<double>(), edge.at(3).get<double>()});

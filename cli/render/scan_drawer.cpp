@@ -10,7 +10,6 @@ using converter::Colour;
 constexpr Colour kRay = Colour::from_hex(0x56B4E9, 0.55);
 constexpr Colour kSeen = Colour::from_hex(0x56B4E9, 0.16);
 constexpr Colour kHit = Colour::from_hex(0x005B9A);
-constexpr Colour kRobot = Colour::from_hex(0x0B3C5D);
 
 }  // namespace
 
@@ -41,11 +40,16 @@ void add_scan(converter::Overlay& overlay, const Pose& pose, std::span<const dou
     rays.segments.emplace_back(origin, end);
     if (ranges_m[i] < max_range_m) hits.centres.push_back(end);
   }
-  const converter::OverlayPose robot{pose, 3.5, kRobot};
-  add_legend(overlay, robot, "robot");
   add_legend(overlay, rays, "laser ray");
   add_legend(overlay, hits, "hit");
-  overlay.items.insert(overlay.items.end(), {seen, rays, hits, robot});
+  overlay.items.insert(overlay.items.end(), {seen, rays, hits});
+}
+
+void add_robot(converter::Overlay& overlay, const Pose& pose, double radius_pt, Colour colour,
+               std::string meaning) {
+  const converter::OverlayPose robot{pose, radius_pt, colour};
+  add_legend(overlay, robot, std::move(meaning));
+  overlay.items.emplace_back(robot);
 }
 
 void draw_scans(const Json& answer, converter::Overlay& overlay) {
@@ -53,7 +57,9 @@ void draw_scans(const Json& answer, converter::Overlay& overlay) {
   const double max_range_m = answer.at("max_range").get<double>();
   for (const auto& scan : answer.at("scans")) {
     const auto ranges_m = scan.at("ranges").get<std::vector<double>>();
-    add_scan(overlay, pose_of(scan.at("pose")), angles_deg, ranges_m, max_range_m);
+    const Pose pose = pose_of(scan.at("pose"));
+    add_scan(overlay, pose, angles_deg, ranges_m, max_range_m);
+    add_robot(overlay, pose, 3.5, kRobotColour, "robot");
   }
 }
 

@@ -6,6 +6,7 @@
 #include "cli/support/arguments.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
+#include "cli/support/laser_options.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/verb.hpp"
 #include "converter/exporters/picture.hpp"
@@ -91,6 +92,7 @@ void add_synthetic_scan(const Map& map, const Pose& pose, const navcore::LaserMo
   std::vector<double> ranges_m(laser.rays);
   navcore::CulledRayCaster(map).cast(pose, laser, ranges_m);
   add_scan(overlay, pose, angles_deg, ranges_m, laser.max_range_m);
+  add_robot(overlay, pose, 3.5, kRobotColour, "robot");
 }
 
 // Direction of true north in the map, where a sidecar tells.
@@ -122,7 +124,8 @@ class Render : public Verb {
         "which iteration of a localization to draw, from 1 (default: the last); 'all' draws each "
         "into a file of its own: X.png becomes X-01.png, X-02.png ...");
     add("scan", po::value<std::string>(),
-        "draw a synthetic scan from pose x,y,deg (metres, degrees counter-clockwise from +x)");
+        "draw a synthetic scan from pose x,y,deg (metres, degrees counter-clockwise from +x), by "
+        "the laser of the last options below");
     add("circles", "draw each obstacle's minimum bounding circle");
     add("bbox", po::value<std::string>(),
         "part to draw: x1,y1,x2,y2 in metres (default: border and all obstacles)");
@@ -133,6 +136,7 @@ class Render : public Verb {
     add("ticks", "draw orientation strokes on the free side of segments (the default)");
     add("no-ticks", "draw none");
     add("title", po::value(&options_.title), "a title above the map");
+    declare_laser_options(options);
     positionals.add("map", 1);
   }
 
@@ -150,6 +154,7 @@ class Render : public Verb {
     options_.labels = parse_labels(values["labels"].as<std::string>());
     circles_ = values.count("circles") > 0;
     if (values.count("bbox") > 0) options_.window = parse_window(values["bbox"].as<std::string>());
+    laser_ = laser_model(values);
     if (values.count("scan") > 0) scan_ = parse_pose("scan", values["scan"].as<std::string>());
     if (values.count("iteration") > 0) {
       iteration_ = parse_iteration(values["iteration"].as<std::string>());
@@ -183,7 +188,7 @@ class Render : public Verb {
     converter::Overlay overlay;
     if (circles_) add_circles(map, overlay);
     for (const auto& answer : answers_) answer.draw(overlay, iteration);
-    if (scan_) add_synthetic_scan(map, *scan_, {}, overlay);
+    if (scan_) add_synthetic_scan(map, *scan_, laser_, overlay);
     const std::string picture = value_or_throw(draw_picture(map, overlay, options_, format_));
     write_file(path, [&](std::ostream& out) { out << picture; });
     console.note("wrote " + path);
@@ -207,6 +212,7 @@ class Render : public Verb {
   std::optional<std::size_t> iteration_;
   bool all_iterations_ = false;
   std::optional<Pose> scan_;
+  navcore::LaserModel laser_;
   bool circles_ = false;
 };
 
