@@ -56,6 +56,19 @@ void print_verb_help(const VerbEntry& entry, const Verb& verb, const po::options
       << common_options();
 }
 
+// Boost speaks of the option --map where a person left out the argument MAP.
+void notify_values(po::variables_map& values, const po::positional_options_description& positionals,
+                   std::string_view verb, std::string_view synopsis) {
+  try {
+    po::notify(values);
+  } catch (const po::required_option& missing) {
+    const std::string name = missing.get_option_name().substr(2);
+    if (positionals.max_total_count() == 0 || positionals.name_for_position(0) != name) throw;
+    fail_usage("the " + name + " is missing; usage: mapwright " + std::string(verb) + " " +
+               std::string(synopsis));
+  }
+}
+
 // Positional arguments are options without a name of their own: help shows those that have a text.
 ExitStatus run_verb(const VerbEntry& entry, std::vector<std::string> arguments, Console& console) {
   const auto verb = entry.make();
@@ -78,7 +91,7 @@ ExitStatus run_verb(const VerbEntry& entry, std::vector<std::string> arguments, 
     print_verb_help(entry, *verb, own, console.out());
     return ExitStatus::kSuccess;
   }
-  po::notify(values);
+  notify_values(values, positionals, entry.name, verb->synopsis());
   if (values.count("quiet") > 0) console.set_verbosity(Verbosity::kQuiet);
   if (values.count("verbose") > 0) console.set_verbosity(Verbosity::kVerbose);
   verb->configure(values);

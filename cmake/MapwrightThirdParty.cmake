@@ -16,7 +16,7 @@ set_target_properties(mapwright_geographiclib PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES ${MAPWRIGHT_GEOGRAPHICLIB_INCLUDE_DIR}
   INTERFACE_LINK_LIBRARIES ${MAPWRIGHT_GEOGRAPHICLIB_LIBRARY})
 
-# CGAL's own target adds flags that only its exact-rounding kernels need; every file that includes
-# CGAL links this instead and keeps its headers quiet.
+# One name for what a library with CGAL inside links. It brings CGAL's flag -frounding-math along,
+# which the exact predicates rely on.
 add_library(mapwright_cgal INTERFACE IMPORTED GLOBAL)
 set_target_properties(mapwright_cgal PROPERTIES INTERFACE_LINK_LIBRARIES CGAL::CGAL)
