@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "navcore/localization/scan_weigher.hpp"
-#include "navcore/rays/culled_ray_caster.hpp"
+#include "navcore/engine/scan_engine.hpp"
 
 namespace mapwright::navcore {
 namespace {
@@ -21,9 +20,8 @@ double quantile(const std::vector<double>& sorted, double share) {
 LocalizationTrials run_localization_trials(const Map& map, const FreeSpace& space,
                                            const ExperimentSettings& settings, std::size_t trials,
                                            std::uint64_t seed, unsigned threads) {
-  const CulledRayCaster caster(map);
-  const RayCastingWeigher weigher(caster);
-  const auto runs = run_trials(space, caster, weigher, settings, trials, seed, threads);
+  const ScanEngine engine(map);
+  const auto runs = run_trials(space, engine, engine, settings, trials, seed, threads);
   LocalizationTrials result;
   if (!runs) return result;  // no place to stand, which reachability tells better
   std::vector<double> errors_m;
