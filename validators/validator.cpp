@@ -19,7 +19,7 @@ constexpr std::array kChecks{
 std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options) {
   const CheckContext context(document, options);
   FindingSink sink(document);
-  for (const Check* check : kChecks) check(context, sink);
+  for (const auto check : kChecks) check(context, sink);
 
   std::vector<Finding> findings = document.findings;
   auto found = sink.take();
