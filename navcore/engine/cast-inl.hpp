@@ -144,10 +144,10 @@ HWY_INLINE FloatVector ranges_at(const BeamTable& beams, const Workspace& work, 
   return hn::IfThenElse(hit, hn::Min(range, longest), longest);
 }
 
-// Asks for the beginning of a cell's list ahead of time.
+// Asks for a cell's list ahead of time: its header and its first two blocks.
 HWY_INLINE void prefetch(const PackedCell& cell) {
   const auto* bytes = reinterpret_cast<const char*>(&cell);
-  for (int line = 0; line < 10; ++line) __builtin_prefetch(bytes + line * static_cast<int>(kLine));
+  for (int line = 0; line < 9; ++line) __builtin_prefetch(bytes + line * static_cast<int>(kLine));
 }
 
 // Calls `finish(i)` when the inverse ranges of scan i are in the workspace. Scans go through the

@@ -44,7 +44,11 @@ struct alignas(kLine) SpanBlock {
 class Workspace {
  public:
   explicit Workspace(std::size_t padded_rays)
-      : inverse(padded_rays), stops(padded_rays), low_steps(padded_rays), tops(padded_rays) {}
+      : inverse(padded_rays),
+        stops(padded_rays),
+        low_steps(padded_rays),
+        tops(padded_rays),
+        differences(padded_rays) {}
 
   /// Inverse ranges of the part of a staircase that a lane belongs to.
   float* buffer_of(const PackedStairs& stairs, std::uint32_t lane) {
@@ -68,6 +72,7 @@ class Workspace {
 
   AlignedFloats inverse;                 ///< of the ranges, 1/m
   AlignedFloats stops, low_steps, tops;  ///< the same for one staircase
+  AlignedFloats differences;             ///< of perceived and synthetic ranges, metres
   std::vector<SpanBlock, LineAllocator<SpanBlock>> blocks;
   std::size_t used = 0;
 

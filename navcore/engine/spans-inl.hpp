@@ -39,6 +39,7 @@ struct LaneSpans {
   FloatMask valid;      ///< well in range and clear of the laser
   FloatMask near_line;  ///< for double precision
   FloatMask low_side;   ///< the laser is on the left of a→b
+  FloatMask twice;      ///< meets both ends of the field of view, around the back
 };
 
 // In the sensor frame a segment with direction e that starts at a lies at
@@ -73,8 +74,15 @@ HWY_INLINE LaneSpans lane_spans(const float* block, const ScanStart& start,
   const FloatVector left = hn::IfThenElse(a_is_right, at_b, at_a);
   // Segments span less than half a turn: a left end far to the right lies beyond the back.
   const FloatMask wraps = hn::Lt(hn::Sub(left, right), hn::Set(d, -1.0F));
-  const FloatVector turn = hn::IfThenElseZero(wraps, hn::Set(d, kFullTurn));
+  const FloatVector full_turn = hn::Set(d, kFullTurn);
   const FloatVector slack = hn::Set(d, kBearingSlack);
+  const FloatVector from = hn::Sub(right, slack);
+  const FloatVector to = hn::Add(hn::Add(left, slack), hn::IfThenElseZero(wraps, full_turn));
+  // What reaches around the back as far as the field of view's other end is seen there; up to 180°
+  // it is not seen at this end as well.
+  const FloatVector half = hn::Set(d, beams.half_fov);
+  const FloatMask around = hn::Ge(to, hn::Sub(full_turn, half));
+  const FloatVector back = hn::IfThenElseZero(around, full_turn);
 
   const FloatVector per_area = reciprocal(d, area);
   const FloatMask clear =
@@ -83,11 +91,12 @@ HWY_INLINE LaneSpans lane_spans(const float* block, const ScanStart& start,
       squared_area, hn::Mul(squared_length, hn::Set(d, beams.max_range_m * beams.max_range_m)));
   return {hn::Mul(turned_y(ex, ey), per_area),
           hn::Neg(hn::Mul(turned_x(ex, ey), per_area)),
-          hn::Sub(right, slack),
-          hn::Add(hn::Add(left, slack), turn),
+          hn::Sub(from, back),
+          hn::Sub(to, back),
           hn::And(clear, in_range),
           hn::And(hn::Not(clear), hn::Gt(squared_length, hn::Zero(d))),
-          a_is_right};
+          a_is_right,
+          hn::And(around, hn::Le(from, half))};
 }
 
 HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
@@ -100,13 +109,14 @@ HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
   return bits;
 }
 
-// Writes the spans of the lanes, turned by `turn`; those that the field of view meets count.
+// Writes the spans of the lanes, turned left by `turn`; those of the `valid` ones that the field of
+// view meets count.
 HWY_INLINE void store_spans(const LaneSpans& lanes, FloatMask valid, float turn,
                             const BeamTable& beams, SpanBlock& block) {
   const Floats d;
   const FloatVector half = hn::Set(d, beams.half_fov);
-  const FloatVector from = hn::Sub(lanes.from, hn::Set(d, turn));
-  const FloatVector to = hn::Sub(lanes.to, hn::Set(d, turn));
+  const FloatVector from = hn::Add(lanes.from, hn::Set(d, turn));
+  const FloatVector to = hn::Add(lanes.to, hn::Set(d, turn));
   const FloatMask seen = hn::And(valid, hn::And(hn::Le(from, half), hn::Ge(to, hn::Neg(half))));
   // Rays to look at, a little generously: the bearings decide.
   const FloatVector scale = hn::Set(d, beams.rays_per_radian);
@@ -138,12 +148,10 @@ HWY_INLINE void find_spans(const ScanStart& start, LaneRun run, const BeamTable&
     block.near_line = bits_of(lanes.near_line);
     block.first_lane = lane;
     work.used += (block.seen | block.near_line) != 0 ? 1 : 0;
-    // What reaches around the back meets the field of view again from the other end.
-    const FloatMask around =
-        hn::And(lanes.valid, hn::Ge(lanes.to, hn::Set(d, kFullTurn - beams.half_fov)));
-    if (HWY_UNLIKELY(!hn::AllFalse(d, around))) {
+    const FloatMask twice = hn::And(lanes.valid, lanes.twice);
+    if (HWY_UNLIKELY(!hn::AllFalse(d, twice))) {
       SpanBlock& second = work.blocks[work.used++];
-      store_spans(lanes, around, kFullTurn, beams, second);
+      store_spans(lanes, twice, kFullTurn, beams, second);
       second.near_line = 0;
       second.first_lane = lane;
     }

@@ -40,57 +40,55 @@ HWY_INLINE V exponential(D d, V x) {
   return hn::Mul(p, hn::BitCast(d, power));
 }
 
-// One block of beams: Δ of Eq. (4) as an exponent, and the floor that Eq. (5) has there.
-struct Beams {
-  FloatVector exponent;  ///< Δ² / (2 σm²)
-  FloatVector floor;
-  FloatMask unlimited;  ///< no floor: 1/L has no limit
-  FloatMask real;       ///< no pads
-};
-
-HWY_INLINE Beams beams_at(const ScanWeight& weight, const BeamTable& beams, const Workspace& work,
-                          std::size_t i) {
+// The floor that Eq. (5) has under a beam.
+HWY_INLINE FloatVector floor_under(const ScanWeight& weight, FloatVector delta) {
   const Floats d;
-  const FloatVector delta =
-      hn::Sub(hn::Load(d, weight.perceived.data() + i), ranges_at(beams, work, i));
-  const FloatVector floor =
-      hn::IfThenElse(hn::Gt(delta, hn::Zero(d)), hn::Set(d, weight.longer_floor),
-                     hn::Set(d, weight.shorter_floor));
-  return {hn::Mul(hn::Mul(delta, delta), hn::Set(d, weight.sharpness)), floor,
-          hn::Eq(floor, hn::Zero(d)), hn::FirstN(d, beams.rays - i)};
+  return hn::IfThenElse(hn::Gt(delta, hn::Zero(d)), hn::Set(d, weight.longer_floor),
+                        hn::Set(d, weight.shorter_floor));
 }
 
-// What exponents are reduced by, so that exp() of the largest among beams without a floor stays
-// well within single precision whatever the scan.
-HWY_INLINE float shift_of_exponents(const ScanWeight& weight, const BeamTable& beams,
-                                    const Workspace& work) {
-  constexpr float kLargestExponent = 70.0F;
+HWY_INLINE FloatVector exponent_of(const ScanWeight& weight, FloatVector delta) {
+  return hn::Mul(hn::Mul(delta, delta), hn::Set(Floats(), weight.sharpness));
+}
+
+// Δ of Eq. (4) for all beams, into the workspace; pads are 0. Returns the greatest exponent
+// Δ² / (2 σm²) of the beams without a floor.
+HWY_INLINE float find_differences(const ScanWeight& weight, const BeamTable& beams,
+                                  Workspace& work) {
   const Floats d;
   FloatVector largest = hn::Zero(d);
   for (std::size_t i = 0; i < beams.rays; i += hn::Lanes(d)) {
-    const Beams b = beams_at(weight, beams, work, i);
-    largest = hn::Max(largest, hn::IfThenElseZero(hn::And(b.real, b.unlimited), b.exponent));
+    const FloatVector difference =
+        hn::Sub(hn::Load(d, weight.perceived.data() + i), ranges_at(beams, work, i));
+    const FloatVector delta = hn::IfThenElseZero(hn::FirstN(d, beams.rays - i), difference);
+    hn::Store(delta, d, work.differences.data() + i);
+    const FloatMask unlimited = hn::Eq(floor_under(weight, delta), hn::Zero(d));
+    largest = hn::Max(largest, hn::IfThenElseZero(unlimited, hn::Mul(delta, delta)));
   }
-  return std::max(0.0F, hn::GetLane(hn::MaxOfLanes(d, largest)) - kLargestExponent);
+  return weight.sharpness * hn::GetLane(hn::MaxOfLanes(d, largest));
 }
 
-// Eq. (6): −log Σ 1/L, summed relative to exp(shift).
-HWY_INLINE double log_harmonic(const ScanWeight& weight, const BeamTable& beams,
-                               const Workspace& work) {
+// Eq. (6): −log Σ 1/L, summed relative to exp(shift), so that the greatest term stays well within
+// single precision whatever the scan.
+HWY_INLINE double log_harmonic(const ScanWeight& weight, const BeamTable& beams, Workspace& work) {
+  constexpr float kLargestExponent = 70.0F;
   const Floats d;
-  const float shift = shift_of_exponents(weight, beams, work);
+  const float shift = std::max(0.0F, find_differences(weight, beams, work) - kLargestExponent);
   const FloatVector shift_by = hn::Set(d, shift);
   const FloatVector scale = exponential(d, hn::Neg(shift_by));
   const FloatVector peak = hn::Set(d, weight.peak);
   const FloatVector per_peak = hn::Set(d, 1.0F / weight.peak);
   FloatVector sum = hn::Zero(d);
   for (std::size_t i = 0; i < beams.rays; i += hn::Lanes(d)) {
-    const Beams b = beams_at(weight, beams, work, i);
-    const FloatVector e = exponential(
-        d, hn::IfThenElse(b.unlimited, hn::Sub(b.exponent, shift_by), hn::Neg(b.exponent)));
-    const FloatVector limited = hn::Div(scale, hn::MulAdd(peak, e, b.floor));
-    const FloatVector term = hn::IfThenElse(b.unlimited, hn::Mul(e, per_peak), limited);
-    sum = hn::Add(sum, hn::IfThenElseZero(b.real, term));
+    const FloatVector delta = hn::Load(d, work.differences.data() + i);
+    const FloatVector floor = floor_under(weight, delta);
+    const FloatMask unlimited = hn::Eq(floor, hn::Zero(d));
+    const FloatVector exponent = exponent_of(weight, delta);
+    const FloatVector e =
+        exponential(d, hn::IfThenElse(unlimited, hn::Sub(exponent, shift_by), hn::Neg(exponent)));
+    const FloatVector limited = hn::Mul(scale, reciprocal(d, hn::MulAdd(peak, e, floor)));
+    const FloatVector term = hn::IfThenElse(unlimited, hn::Mul(e, per_peak), limited);
+    sum = hn::Add(sum, hn::IfThenElseZero(hn::FirstN(d, beams.rays - i), term));
   }
   return -std::log(static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)))) -
          static_cast<double>(shift);
@@ -107,11 +105,16 @@ HWY_INLINE double log_product(const ScanWeight& weight, const BeamTable& beams,
   FloatVector product = one;
   std::size_t factors = 0;
   for (std::size_t i = 0; i < beams.rays; i += hn::Lanes(d)) {
-    const Beams b = beams_at(weight, beams, work, i);
-    const FloatVector gauss = hn::Mul(peak, exponential(d, hn::Neg(b.exponent)));
-    const FloatVector factor = hn::IfThenElse(b.unlimited, peak, hn::Add(gauss, b.floor));
-    product = hn::Mul(product, hn::IfThenElse(b.real, factor, one));
-    sum = hn::Sub(sum, hn::IfThenElseZero(hn::And(b.real, b.unlimited), b.exponent));
+    const FloatVector delta =
+        hn::Sub(hn::Load(d, weight.perceived.data() + i), ranges_at(beams, work, i));
+    const FloatVector floor = floor_under(weight, delta);
+    const FloatMask unlimited = hn::Eq(floor, hn::Zero(d));
+    const FloatMask real = hn::FirstN(d, beams.rays - i);
+    const FloatVector exponent = exponent_of(weight, delta);
+    const FloatVector gauss = hn::Mul(peak, exponential(d, hn::Neg(exponent)));
+    const FloatVector factor = hn::IfThenElse(unlimited, peak, hn::Add(gauss, floor));
+    product = hn::Mul(product, hn::IfThenElse(real, factor, one));
+    sum = hn::Sub(sum, hn::IfThenElseZero(hn::And(real, unlimited), exponent));
     if (++factors == weight.safe_factors) {
       sum = hn::Add(sum, hn::Log(d, product));
       product = one;
