@@ -7,8 +7,8 @@
 #include "cli/support/laser_options.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/support/number_options.hpp"
+#include "cli/support/ray_engine.hpp"
 #include "cli/verb.hpp"
-#include "navcore/rays/culled_ray_caster.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -60,9 +60,9 @@ class Localize : public Verb {
   void declare_filter_options(po::options_description& options);
   void configure_start(const po::variables_map& values);
   void configure_filter(const po::variables_map& values);
-  ExitStatus run_once(const navcore::FreeSpace& space, const navcore::RayCaster& caster,
+  ExitStatus run_once(const navcore::FreeSpace& space, const RayEngine& engine,
                       Console& console) const;
-  ExitStatus run_often(const navcore::FreeSpace& space, const navcore::RayCaster& caster,
+  ExitStatus run_often(const navcore::FreeSpace& space, const RayEngine& engine,
                        Console& console) const;
 
   std::string map_path_;
@@ -71,6 +71,7 @@ class Localize : public Verb {
   double required_percent_ = 50.0;
   LocalizeQuestion question_;
   unsigned threads_ = 0;
+  RayEngineKind engine_ = RayEngineKind::kFast;
   bool json_ = false;
 };
 
@@ -97,6 +98,7 @@ void Localize::declare(po::options_description& options,
   declare_laser_options(options);
   declare_noise_options(options, "laser-noise", "0.05");
   declare_filter_options(options);
+  declare_engine_option(options, "fast");
   add("seed", text("1"), "of the random numbers, a whole number; trial i has seed + i");
   add("threads", text("0"), "0: as many as the machine has. The answer is the same");
   add("with-particles", "put particles and scans into the JSON answer");
@@ -140,6 +142,7 @@ void Localize::configure(const po::variables_map& values) {
   question_.seed = integer("seed", 0, UINT64_MAX);
   threads_ = static_cast<unsigned>(integer("threads", 0, 1024));
   required_percent_ = number_option(values, "require", 0.0, 100.0);
+  engine_ = ray_engine_kind(values);
   json_ = json_wanted(values);
   if (settings.keep_particles && !json_) fail_usage("--with-particles: needs --format json");
   configure_start(values);
@@ -197,20 +200,19 @@ void Localize::configure_filter(const po::variables_map& values) {
 ExitStatus Localize::run(Console& console) {
   const MapDocument document = read_sound_map_file(map_path_);
   const navcore::FreeSpace space(document.map);
-  const navcore::CulledRayCaster caster(document.map);
-  if (!pose_) return run_often(space, caster, console);
+  const RayEngine engine(document.map, engine_);
+  if (!pose_) return run_often(space, engine, console);
   const auto reason = why_not_standing(document.map, space, pose_->position(), 0.0, "--pose");
   if (reason) fail_usage(*reason);
-  return run_once(space, caster, console);
+  return run_once(space, engine, console);
 }
 
-ExitStatus Localize::run_once(const navcore::FreeSpace& space, const navcore::RayCaster& caster,
+ExitStatus Localize::run_once(const navcore::FreeSpace& space, const RayEngine& engine,
                               Console& console) const {
-  const navcore::RayCastingWeigher weigher(caster);
   navcore::ExperimentSettings settings = question_.settings;
   settings.filter.threads = threads_;
-  const auto run = value_or_throw(
-      navcore::run_experiment(space, caster, weigher, settings, *pose_, question_.seed));
+  const auto run = value_or_throw(navcore::run_experiment(space, engine.caster(), engine.weigher(),
+                                                          settings, *pose_, question_.seed));
   if (json_) {
     write_run_json(console.out(), question_, run);
   } else {
@@ -219,12 +221,11 @@ ExitStatus Localize::run_once(const navcore::FreeSpace& space, const navcore::Ra
   return run.converged() ? ExitStatus::kSuccess : ExitStatus::kNegative;
 }
 
-ExitStatus Localize::run_often(const navcore::FreeSpace& space, const navcore::RayCaster& caster,
+ExitStatus Localize::run_often(const navcore::FreeSpace& space, const RayEngine& engine,
                                Console& console) const {
-  const navcore::RayCastingWeigher weigher(caster);
-  const auto runs =
-      value_or_throw(navcore::run_trials(space, caster, weigher, question_.settings, trials_,
-                                         question_.seed, threads_, console.progress("localizing")));
+  const auto runs = value_or_throw(navcore::run_trials(space, engine.caster(), engine.weigher(),
+                                                       question_.settings, trials_, question_.seed,
+                                                       threads_, console.progress("localizing")));
   const navcore::TrialSummary summary = navcore::summarize(runs);
   if (json_) {
     write_trials_json(console.out(), question_, runs, summary);

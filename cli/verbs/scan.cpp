@@ -9,9 +9,9 @@
 #include "cli/support/number_options.hpp"
 #include "cli/support/number_table.hpp"
 #include "cli/support/pose_json.hpp"
+#include "cli/support/ray_engine.hpp"
 #include "cli/verb.hpp"
 #include "navcore/free_space.hpp"
-#include "navcore/rays/culled_ray_caster.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -99,6 +99,7 @@ class ScanVerb : public Verb {
   navcore::LaserModel laser_;
   navcore::LaserNoise noise_;
   std::uint64_t seed_ = 1;
+  RayEngineKind engine_ = RayEngineKind::kCulled;
   bool json_ = false;
 };
 
@@ -112,6 +113,7 @@ void ScanVerb::declare(po::options_description& options,
       "a CSV file of many poses, with the columns x,y,theta_deg (metres, degrees)");
   declare_laser_options(options);
   declare_noise_options(options, "noise", "0");
+  declare_engine_option(options, "culled");
   add("seed", po::value<std::string>()->default_value("1"), "of the noise, a whole number");
   add("format", po::value<std::string>()->default_value("text"), "text or json");
   positionals.add("map", 1);
@@ -129,6 +131,7 @@ void ScanVerb::configure(const po::variables_map& values) {
   laser_ = laser_model(values);
   noise_ = laser_noise(values, "noise");
   seed_ = parse_integer("seed", values["seed"].as<std::string>());
+  engine_ = ray_engine_kind(values);
   json_ = json_wanted(values);
 }
 
@@ -145,14 +148,14 @@ ExitStatus ScanVerb::run(Console& console) {
   const MapDocument document = read_sound_map_file(map_path_);
   const std::vector<Pose> poses = read_poses();
   const navcore::FreeSpace space(document.map);
-  const navcore::CulledRayCaster caster(document.map);
+  const RayEngine engine(document.map, engine_);
   std::vector<Scan> scans;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const std::string what = pose_ ? "--pose" : "pose " + std::to_string(i + 1);
     const auto reason = why_not_standing(document.map, space, poses[i].position(), 0.0, what);
     if (reason) fail_usage(*reason);
     Random random(seed_, i);
-    scans.push_back({poses[i], perceive(caster, poses[i], laser_, noise_, random)});
+    scans.push_back({poses[i], perceive(engine.caster(), poses[i], laser_, noise_, random)});
   }
   if (json_) {
     write_json(console.out(), laser_, scans);

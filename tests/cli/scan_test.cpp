@@ -1,7 +1,9 @@
 // The verb scan.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "tests/cli/program_run.hpp"
 
@@ -55,6 +57,24 @@ TEST_F(Scan, AnswersInJson) {
   EXPECT_EQ(json["scans"][0]["pose"], Json({{"x", 0.0}, {"y", 0.0}, {"theta_deg", 0.0}}));
   EXPECT_EQ(json["scans"][0]["ranges"], Json({15.0, 4.0, 15.0}));
   EXPECT_EQ(result.out.rfind("{\"schema\"", 0), 0U) << "the schema comes first";
+}
+
+TEST_F(Scan, AllEnginesSeeTheSame) {
+  for (const char* engine : {"fast", "culled", "brute"}) {
+    const auto result = run({"scan", map_, "--pose", "0,0.5,0", "--rays", "5", "--fov", "40",
+                             "--engine", engine, "--format", "json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json ranges = Json::parse(result.out)["scans"][0]["ranges"];
+    EXPECT_EQ(ranges[4], 15.0) << engine;
+    EXPECT_NEAR(ranges[1].get<double>(), 4.0 / std::cos(std::numbers::pi / 18.0), 1e-4) << engine;
+    EXPECT_NEAR(ranges[2].get<double>(), 4.0, 1e-4) << engine;
+  }
+}
+
+TEST_F(Scan, RefusesAnUnknownEngine) {
+  const auto result = run({"scan", map_, "--pose", "0,0,0", "--engine", "warp"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("fast, culled or brute"), std::string::npos);
 }
 
 TEST_F(Scan, FollowsTheLaserOptions) {
