@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/plan/places.hpp"
 #include "cli/render/drawers.hpp"
 #include "cli/render/overlays.hpp"
 #include "cli/support/arguments.hpp"
@@ -12,6 +13,7 @@
 #include "converter/exporters/picture.hpp"
 #include "mapcore/geometry/bounding_circle.hpp"
 #include "mapcore/georeference.hpp"
+#include "navcore/free_space.hpp"
 #include "navcore/rays/culled_ray_caster.hpp"
 
 namespace mapwright::cli {
@@ -87,6 +89,9 @@ void add_circles(const Map& map, converter::Overlay& overlay) {
 
 void add_synthetic_scan(const Map& map, const Pose& pose, const navcore::LaserModel& laser,
                         converter::Overlay& overlay) {
+  const navcore::FreeSpace space(map);
+  const auto reason = why_not_standing(map, space, pose.position(), 0.0, "--scan");
+  if (reason) fail_usage(*reason);
   std::vector<double> angles_deg(laser.rays);
   for (std::size_t i = 0; i < laser.rays; ++i) angles_deg[i] = ray_angle_deg(laser, i);
   std::vector<double> ranges_m(laser.rays);

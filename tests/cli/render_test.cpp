@@ -124,18 +124,21 @@ TEST_F(RenderVerb, DrawsWhatIsReadableOfADamagedMap) {
 
 TEST_F(RenderVerb, RefusesWrongUsage) {
   const std::string svg = folder_.path("x.svg");
-  const std::vector<std::vector<std::string>> wrong = {{},
-                                                       {"-o", folder_.path("x.jpg")},
-                                                       {"-o", svg, "--bbox", "5,0,5,10"},
-                                                       {"-o", svg, "--bbox", "1,2,3"},
-                                                       {"-o", svg, "--width", "100"},
-                                                       {"-o", svg, "--width", "wide"},
-                                                       {"-o", svg, "--labels", "colours"},
-                                                       {"-o", svg, "--ticks", "--no-ticks"},
-                                                       {"-o", svg, "--iteration", "0"},
-                                                       {"-o", svg, "--iteration", "1.5"},
-                                                       {"-o", svg, "--iteration", "all"},
-                                                       {"-o", svg, "--scan", "1,2"}};
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"-o", folder_.path("x.jpg")},
+      {"-o", svg, "--bbox", "5,0,5,10"},
+      {"-o", svg, "--bbox", "1,2,3"},
+      {"-o", svg, "--width", "100"},
+      {"-o", svg, "--width", "wide"},
+      {"-o", svg, "--labels", "colours"},
+      {"-o", svg, "--ticks", "--no-ticks"},
+      {"-o", svg, "--iteration", "0"},
+      {"-o", svg, "--iteration", "1.5"},
+      {"-o", svg, "--iteration", "all"},
+      {"-o", svg, "--scan", "1,2"},
+      {"-o", svg, "--scan", "7,5,0"},
+      {"-o", svg, "--scan", "2,2,0", "--rays", "0"}};
   for (const auto& options : wrong) {
     const auto result = render(options);
     EXPECT_EQ(result.status, 2) << testing::PrintToString(options);

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Draws the pictures of README.md and docs/ from the samples, into docs/images.
+# Usage: scripts/make_pictures.sh [PROGRAM]    (default: build/release/cli/mapwright)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+program=${1:-build/release/cli/mapwright}
+images=docs/images
+campus=samples/campus/campus.txt
+square=samples/fib_square/fib_square.txt
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+draw() {
+  local file=$1
+  shift
+  "$program" render "$@" -o "$images/$file" --width 1100 --quiet
+}
+
+mkdir -p "$images"
+
+# README: the campus with a path across it and a scan at its start.
+"$program" plan "$campus" --start '10,5' --goal '100,52' --radius 0.3 --planner exact --format json \
+  >"$scratch/path.json"
+draw campus.png "$campus" --title 'A campus, from its GIS layers' --overlay "$scratch/path.json" \
+  --scan '62,38,90'
+
+# docs/experiments/map.md: the map (the report's figure 2), stairs from both sides (figure 6).
+draw fib_square.png "$square" --title 'The square, from its drawing'
+draw circles.png "$campus" --circles --labels none
+draw stairs_from_below.png "$square" --bbox 28,34,60,53 --scan '46,48,-90' --labels heights
+draw stairs_from_above.png "$square" --bbox 28,34,60,53 --scan '46,37,90' --labels heights
+draw ramp_from_below.png "$campus" --bbox 66,36,94,62 --scan '80,39,90'
+draw ramp_from_above.png "$campus" --bbox 66,36,94,62 --scan '80,57,-90'
+
+# docs/checks: what validate says, on the map.
+"$program" validate samples/broken/square_broken.txt --format json >"$scratch/findings.json" || true
+draw findings.png samples/broken/square_broken.txt --overlay "$scratch/findings.json" \
+  --labels none --title 'Findings in a map edited by hand' 2>/dev/null
