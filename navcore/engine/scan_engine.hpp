@@ -31,7 +31,7 @@ struct ScanEngineOptions {
 /// rays between the bearings of its ends (docs/scan-engine.md). Same rules as the other ray casters
 /// (docs/rays.md), with ranges in single precision:
 ///
-///     |error| <= (2e-6 m + 3e-7 RMAX) / sin(angle between ray and segment),
+///     |error| <= (1e-6 m + 1.5e-7 RMAX) / sin(angle between ray and segment),
 ///
 /// and which of two segments a ray meets that passes within 1e-5 m (RMAX 15 m) of an end is open.
 /// No ray slips between segments that share an end. All instruction sets keep to this bound; their
