@@ -1,4 +1,4 @@
-// A tree of points that grows and finds its nearest nodes.
+// Private to this folder: a tree of points that grows and finds its nearest nodes.
 #pragma once
 
 #include <array>

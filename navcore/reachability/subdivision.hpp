@@ -1,4 +1,4 @@
-// Splitting cells until what must be known is known.
+// Private to this folder: splitting cells until what must be known is known.
 #pragma once
 
 #include <cstddef>

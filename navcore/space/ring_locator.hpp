@@ -1,4 +1,4 @@
-// Which rings hold a point.
+// Private to this folder and to free_space.cpp: which rings hold a point.
 #pragma once
 
 #include <cstddef>

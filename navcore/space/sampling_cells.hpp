@@ -1,4 +1,4 @@
-// Where to draw points from so that most of them are free.
+// Private to this folder and to free_space.cpp: where to draw points from, most of them free.
 #pragma once
 
 #include <functional>

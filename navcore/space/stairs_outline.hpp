@@ -1,4 +1,4 @@
-// The area that stairs cover.
+// Private to this folder: the area that stairs cover.
 #pragma once
 
 #include <utility>
