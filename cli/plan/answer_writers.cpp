@@ -32,9 +32,10 @@ Json optional_json(const std::optional<T>& value) {
 }
 
 void add_proofs(const navcore::PlanningResult& result, Json& json) {
-  if (result.reachable) json["reachable"] = *result.reachable;
-  if (result.bottleneck_m) json["bottleneck_m"] = *result.bottleneck_m;
-  if (result.bottleneck_at) json["bottleneck_at"] = point_json(*result.bottleneck_at);
+  // Always there, so that a script need not ask first: null is what no planner found out.
+  json["reachable"] = optional_json(result.reachable);
+  json["bottleneck_m"] = optional_json(result.bottleneck_m);
+  json["bottleneck_at"] = result.bottleneck_at ? point_json(*result.bottleneck_at) : Json(nullptr);
   if (!result.barrier.empty()) json["barrier"] = edges_json(result.barrier);
 }
 

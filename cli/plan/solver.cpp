@@ -79,6 +79,7 @@ PlanAnswer PlanSolver::answer(const StartAndGoal& query, std::size_t number) con
   PlanAnswer answer{query, {}, 0.0, std::nullopt, {}};
   if (auto reason = why_not_standing(query)) {
     answer.reason = *std::move(reason);
+    answer.route.total.reachable = false;
     return answer;
   }
   std::vector<Point> stops{query.start};
