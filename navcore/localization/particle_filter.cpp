@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "navcore/parallel.hpp"
 
@@ -16,6 +17,9 @@ constexpr std::size_t kGrain = 512;
 constexpr double kBearableShare = 0.2;
 constexpr int kBisections = 12;
 
+// Extra particles with less weight than this altogether are dropped again.
+constexpr double kWorthKeeping = 1e-3;
+
 Pose shaken(const Pose& pose, double sigma_m, double sigma_deg, Random& random) {
   const double dx = random.normal(0.0, sigma_m);
   const double dy = random.normal(0.0, sigma_m);
@@ -26,6 +30,17 @@ Pose shaken(const Pose& pose, double sigma_m, double sigma_deg, Random& random) 
 Angle draw_heading(const std::optional<HeadingPrior>& prior, Random& random) {
   if (!prior) return Angle::from_radians(random.uniform(-std::numbers::pi, std::numbers::pi));
   return (prior->heading + Angle::from_degrees(random.normal(0.0, prior->sigma_deg))).wrapped();
+}
+
+// A compass reading carried along by what the encoders say.
+HeadingPrior turned(const HeadingPrior& heading, const OdometryStep& step,
+                    const OdometryNoise& noise) {
+  const double before = noise.turn_per_turn * step.turn_before.wrapped().degrees();
+  const double after = noise.turn_per_turn * step.turn_after.wrapped().degrees();
+  const double way = Angle::from_radians(noise.turn_per_metre * step.distance_m).degrees();
+  const double error = std::hypot(std::hypot(before, after), std::numbers::sqrt2 * way);
+  return {heading.heading + step.turn_before + step.turn_after,
+          std::hypot(heading.sigma_deg, error)};
 }
 
 }  // namespace
@@ -44,6 +59,7 @@ bool ParticleFilter::start_anywhere(const FreeSpace& space,
                                     const std::optional<HeadingPrior>& heading) {
   ++epoch_;
   space_ = &space;
+  heading_ = heading;
   lost_ = true;
   Random random = stream(0);
   std::vector<Pose> poses(std::max(settings_.first_particles, settings_.particles));
@@ -58,6 +74,7 @@ bool ParticleFilter::start_anywhere(const FreeSpace& space,
 
 void ParticleFilter::start_at(const Pose& pose, double sigma_m, double sigma_deg) {
   ++epoch_;
+  space_ = nullptr;
   lost_ = false;
   std::vector<Pose> poses(settings_.particles);
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -69,6 +86,7 @@ void ParticleFilter::start_at(const Pose& pose, double sigma_m, double sigma_deg
 
 void ParticleFilter::move(const OdometryStep& step) {
   ++epoch_;
+  if (heading_) heading_ = turned(*heading_, step, settings_.odometry);
   auto& poses = particles_.poses;
   parallel_for(poses.size(), kGrain, settings_.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -123,16 +141,46 @@ void ParticleFilter::search(std::span<const double> scan, UpdateReport& report) 
 // moves, the next part, and so on.
 void ParticleFilter::track(std::span<const double> scan, UpdateReport& report) {
   Target target{settings_.likelihood, settings_.temper};
+  add_elsewhere();
   factors_ = weigh(target, scan, particles_.poses);
   double rest = settings_.temper;
   report.effective_particles = effective_size_after(rest);
   while (rest > 0.0) {
     const double part = bearable_part(rest);
     report.contradicted |= !multiply_weights(particles_.weights, factors_, part);
+    drop_elsewhere();
     rest = part < rest ? rest - part : 0.0;
     target.exponent = settings_.temper - rest;
     renew(target, scan, report);
   }
+}
+
+// The motion model is a mixture: odometry, or anywhere.
+void ParticleFilter::add_elsewhere() {
+  if (space_ == nullptr || settings_.elsewhere_particles == 0) return;
+  ++epoch_;
+  Random random = stream(0);
+  for (double& weight : particles_.weights) weight *= 1.0 - settings_.elsewhere;
+  const double share = settings_.elsewhere / static_cast<double>(settings_.elsewhere_particles);
+  for (std::size_t i = 0; i < settings_.elsewhere_particles; ++i) {
+    const auto place = space_->sample(random);
+    if (!place) break;
+    particles_.poses.push_back({place->x, place->y, draw_heading(heading_, random)});
+    particles_.weights.push_back(share);
+  }
+}
+
+// Extra particles that the scan speaks against are not worth a resampling.
+void ParticleFilter::drop_elsewhere() {
+  const std::size_t count = settings_.particles;
+  if (particles_.size() <= count) return;
+  const auto first_extra = particles_.weights.begin() + static_cast<std::ptrdiff_t>(count);
+  const double extra = std::accumulate(first_extra, particles_.weights.end(), 0.0);
+  if (extra > kWorthKeeping) return;
+  particles_.poses.resize(count);
+  particles_.weights.resize(count);
+  factors_.resize(count);
+  for (double& weight : particles_.weights) weight /= 1.0 - extra;
 }
 
 double ParticleFilter::effective_size_after(double exponent) const {
@@ -231,6 +279,8 @@ FilterSettings robust_settings() {
   settings.first_stages = 8;
   settings.first_sigma_m = 0.75;
   settings.sweeps = 1;
+  settings.elsewhere = 1e-3;
+  settings.elsewhere_particles = 3000;
   return settings;
 }
 

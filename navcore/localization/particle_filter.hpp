@@ -37,6 +37,12 @@ struct FilterSettings {
   double shortest_move_m = 0.04, longest_move_m = 0.8;
   double smallest_turn_deg = 0.2, largest_turn_deg = 4.0;
 
+  /// The robot may be elsewhere than odometry says (kidnapped, or its place lost among the
+  /// particles): with this probability before each later scan it is anywhere in free space, which
+  /// so many extra particles stand for. Not used when tracking from a known pose.
+  double elsewhere = 0.0;
+  std::size_t elsewhere_particles = 0;
+
   OdometryNoise odometry;
   unsigned threads = 1;  ///< 0: one a core
 };
@@ -94,6 +100,8 @@ class ParticleFilter {
   Target search_target(std::size_t stage) const;
   void search(std::span<const double> scan, UpdateReport& report);
   void track(std::span<const double> scan, UpdateReport& report);
+  void add_elsewhere();
+  void drop_elsewhere();
   double effective_size_after(double exponent) const;
   double bearable_part(double rest) const;
   void renew(const Target& target, std::span<const double> scan, UpdateReport& report);
@@ -109,8 +117,9 @@ class ParticleFilter {
   LaserModel laser_;
   FilterSettings settings_;
   std::uint64_t seed_;
-  std::uint64_t epoch_ = 0;  ///< counts the operations that draw random numbers
-  bool lost_ = false;        ///< started anywhere and not yet seen a scan
+  std::uint64_t epoch_ = 0;              ///< counts the operations that draw random numbers
+  std::optional<HeadingPrior> heading_;  ///< what compass and odometry say
+  bool lost_ = false;                    ///< started anywhere and not yet seen a scan
   ParticleSet particles_;
   std::vector<double> factors_;  ///< per particle: log factor of the current scan
 };

@@ -91,9 +91,25 @@ TEST_F(Localization, TracksFromAKnownPose) {
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->converged());
   for (const auto& iteration : result->iterations) {
-    EXPECT_EQ(iteration.update.particles, 300U);
+    EXPECT_EQ(iteration.update.particles, 300U) << "and no others elsewhere";
     EXPECT_LT(iteration.position_error_m, 0.5);
   }
+}
+
+TEST_F(Localization, FindsAKidnappedRobotAgain) {
+  const ExperimentSettings settings = small(robust_settings());
+  ParticleFilter filter(weigher_, settings.laser, settings.filter, 1);
+  ASSERT_TRUE(filter.start_anywhere(space_, HeadingPrior{kStart.theta, 3.0}));
+  Random random(2);
+  const auto look = [&](const Pose& pose) {
+    filter.update(perceive(caster_, pose, settings.laser, {}, random));
+    return distance(filter.estimate().pose.position(), pose.position());
+  };
+  for (int i = 0; i < 4; ++i) look(kStart);
+  ASSERT_LT(look(kStart), 0.2);
+  const Pose elsewhere{25.0, 8.0, kStart.theta};
+  for (int i = 0; i < 10; ++i) look(elsewhere);
+  EXPECT_LT(look(elsewhere), 0.2);
 }
 
 TEST_F(Localization, RunsTheReportsFilterLiterally) {
