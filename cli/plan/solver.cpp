@@ -144,6 +144,10 @@ void PlanSolver::explain_failure(const std::vector<Point>& stops, PlanAnswer& an
                                    : "no path over a ramp was found";
     return;
   }
+  if (!total.reason.empty()) {
+    answer.reason = total.reason;
+    return;
+  }
   const std::size_t leg = answer.route.failed_leg;
   const Point from = stops[leg - 1];
   const Point to = stops[leg];

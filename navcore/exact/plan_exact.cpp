@@ -1,14 +1,44 @@
 #include "navcore/exact/plan_exact.hpp"
 
+#include <cstdio>
+
 namespace mapwright::navcore {
+namespace {
+
+std::string metres(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4f m", value);
+  return buffer;
+}
+
+std::string why_not_standing(const ExactPlanner& planner, const ExactAnswer& answer) {
+  const bool is_start = answer.start != PlaceState::kFree;
+  const PlaceState state = is_start ? answer.start : answer.goal;
+  std::string reason = std::string(is_start ? "start" : "goal") + " is ";
+  reason += to_string(state);
+  if (state != PlaceState::kBlocked) return reason;
+  return reason + " (counted with an error of up to " + metres(planner.offset_error().elsewhere_m) +
+         ")";
+}
+
+std::string why_undecided(const ExactPlanner& planner, const PlanningResult& result) {
+  std::string reason = "whether there is a way lies within the error of the exact planner, " +
+                       metres(planner.offset_error().elsewhere_m) + " at each side of the robot";
+  if (result.bottleneck_m) {
+    reason += ": the widest way is " + metres(*result.bottleneck_m) + " wide where it is narrowest";
+  }
+  return reason;
+}
+
+}  // namespace
 
 PlanningResult plan_exact(const ExactPlanner& planner, const PlanQuery& query) {
   PlanningResult result;
   result.is_shortest = true;
   ExactAnswer answer = planner.plan(query.start, query.goal);
-  if (answer.start != PlaceState::kFree || answer.goal != PlaceState::kFree) return result;
-  if (answer.verdict != Verdict::kUndecided) {
-    result.reachable = answer.verdict == Verdict::kReachable;
+  if (answer.start != PlaceState::kFree || answer.goal != PlaceState::kFree) {
+    result.reason = why_not_standing(planner, answer);
+    return result;
   }
   result.solved = !answer.path.empty();
   result.path = std::move(answer.path);
@@ -16,6 +46,11 @@ PlanningResult plan_exact(const ExactPlanner& planner, const PlanQuery& query) {
   if (const auto narrow = planner.bottleneck(query.start, query.goal)) {
     result.bottleneck_m = narrow->width_m;
     result.bottleneck_at = narrow->at;
+  }
+  if (answer.verdict == Verdict::kUndecided) {
+    result.reason = why_undecided(planner, result);
+  } else {
+    result.reachable = answer.verdict == Verdict::kReachable;
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mapcore/point.hpp"
@@ -40,6 +41,7 @@ struct PlanningResult {
   std::optional<bool> reachable;       ///< whether there is a way at all
   std::optional<double> bottleneck_m;  ///< width (diameter) of the widest way's narrowest place
   std::optional<Point> bottleneck_at;
+  std::string reason;             ///< why it cannot tell
   std::vector<TreeEdge> barrier;  ///< where there is no way: a closed polygon that proves it
 };
 

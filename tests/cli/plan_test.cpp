@@ -84,6 +84,16 @@ TEST_F(PlanVerb, AnswersExactlyWhereThereIsAWay) {
   EXPECT_FALSE(query.contains("barrier"));
 }
 
+TEST_F(PlanVerb, SaysWhereTheExactAnswerIsWithinItsError) {
+  const Json answer =
+      plan_json({"--start", "5,2", "--goal", "19,9", "--planner", "exact", "--radius", "0.4"}, 1);
+  const Json& query = answer["queries"][0];
+  EXPECT_EQ(query["solved"], false);
+  EXPECT_FALSE(query.contains("reachable"));
+  EXPECT_NEAR(query["bottleneck_m"], 0.8, 1e-9);
+  EXPECT_NE(query["reason"].get<std::string>().find("within the error"), std::string::npos);
+}
+
 TEST_F(PlanVerb, AnswersExactlyWhereThereIsNone) {
   const Json answer =
       plan_json({"--start", "5,2", "--goal", "19,9", "--planner", "exact", "--radius", "0.41"}, 1);
