@@ -118,6 +118,10 @@ void compare(const Map& map, double radius_m) {
   std::printf("  %-34s %12s %12s %12s\n", "", "median us", "mean us", "length m");
   const Score exact = run_exact(*planner, pairs);
   print("exact", exact);
+  if (radius_m > 0.0) {
+    const auto fine = ExactPlanner::build(map, {.radius_m = radius_m, .tangents_a_quadrant = 32});
+    print("exact, 32 tangents a quadrant", run_exact(*fine, pairs));
+  }
   if (!has_ompl()) return;
   const Score ompl = run_ompl(FreeSpace(map), pairs);
   print("OMPL RRTConnect, our exact check", ompl);
@@ -173,7 +177,7 @@ void measure_world(const std::string& path) {
     score.lengths_m.push_back(answer.length_m);
     published_m += query.optimum_m;
     met += std::abs(answer.length_m - query.optimum_m) <= 1e-4 * query.optimum_m ? 1U : 0U;
-    longer += answer.path.empty() || answer.length_m > query.optimum_m + 1e-5 ? 1U : 0U;
+    longer += answer.path.empty() || answer.length_m > query.optimum_m * (1.0 + 1e-5) ? 1U : 0U;
   }
   const std::string name = path.substr(path.rfind('/') + 1);
   std::printf("%-22s %8zu %7zu %7zu %7zu %12.0f %12.0f %10.1f %10.1f\n", name.c_str(),
