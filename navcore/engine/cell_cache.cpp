@@ -40,19 +40,6 @@ std::byte* Arena::allocate(std::size_t bytes) {
 
 // -- CellTable --------------------------------------------------------------------------------
 
-std::size_t CellTable::home(CellKey key) const {
-  const std::uint64_t both = static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.column)) |
-                             static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.row)) << 32U;
-  return (both * 0x9e3779b97f4a7c15U >> 32U) & (slots_.size() - 1);
-}
-
-const PackedCell* CellTable::find(CellKey key) const {
-  if (slots_.empty()) return nullptr;
-  std::size_t i = home(key);
-  while (slots_[i].cell != nullptr && !(slots_[i].key == key)) i = (i + 1) & (slots_.size() - 1);
-  return slots_[i].cell;
-}
-
 void CellTable::insert(CellKey key, const PackedCell* cell) {
   if (2 * (size_ + 1) > slots_.size()) grow();
   std::size_t i = home(key);

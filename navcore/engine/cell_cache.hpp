@@ -47,7 +47,12 @@ class Arena {
 /// Hash table from cells to their lists (open addressing).
 class CellTable {
  public:
-  const PackedCell* find(CellKey key) const;
+  const PackedCell* find(CellKey key) const {
+    if (slots_.empty()) return nullptr;
+    std::size_t i = home(key);
+    while (slots_[i].cell != nullptr && !(slots_[i].key == key)) i = (i + 1) & (slots_.size() - 1);
+    return slots_[i].cell;
+  }
   void insert(CellKey key, const PackedCell* cell);  ///< requires that it is not in yet
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
@@ -57,7 +62,11 @@ class CellTable {
     CellKey key;
     const PackedCell* cell = nullptr;
   };
-  std::size_t home(CellKey key) const;
+  std::size_t home(CellKey key) const {
+    const std::uint64_t both = std::uint64_t{static_cast<std::uint32_t>(key.column)} |
+                               std::uint64_t{static_cast<std::uint32_t>(key.row)} << 32U;
+    return (both * 0x9e3779b97f4a7c15U >> 32U) & (slots_.size() - 1);
+  }
   void grow();
 
   std::vector<Slot> slots_;

@@ -87,11 +87,10 @@ std::size_t ScanPlan::cell_bytes() const {
 
 // Requires the lock, in either mode.
 bool ScanPlan::try_piece(std::span<const Pose> poses, std::size_t first, const Kernels& kernels,
-                         const Work& work) const {
+                         const Work& work, Workspace& workspace) const {
   const std::span<const Pose> own = poses.subspan(first, std::min(kPiece, poses.size() - first));
   Piece piece(own, cells_);
   if (!piece.find_cells()) return false;
-  Workspace workspace(beams_.padded_rays());
   work(first, piece.starts(kernels), workspace);
   return true;
 }
@@ -113,9 +112,15 @@ void ScanPlan::for_poses(std::span<const Pose> poses, const Kernels& kernels, un
   const std::size_t pieces = (poses.size() + kPiece - 1) / kPiece;
   std::vector<char> done(pieces, 0);
   const auto try_pieces = [&](std::size_t begin, std::size_t end) {
-    parallel_for(end - begin, 1, threads, [&](std::size_t from, std::size_t to) {
+    // A few turns for each thread, so that the slowest does not keep the others waiting.
+    const std::size_t turns = threads == 1 ? 1 : 4 * std::size_t{thread_count(threads)};
+    const std::size_t grain = std::max<std::size_t>(1, (end - begin) / turns);
+    parallel_for(end - begin, grain, threads, [&](std::size_t from, std::size_t to) {
+      Workspace workspace(beams_.padded_rays());
       for (std::size_t i = begin + from; i < begin + to; ++i) {
-        if (done[i] == 0) done[i] = try_piece(poses, i * kPiece, kernels, work) ? 1 : 0;
+        if (done[i] == 0) {
+          done[i] = try_piece(poses, i * kPiece, kernels, work, workspace) ? 1 : 0;
+        }
       }
     });
   };

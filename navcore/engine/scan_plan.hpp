@@ -35,7 +35,7 @@ class ScanPlan {
  private:
   class Piece;
   bool try_piece(std::span<const Pose> poses, std::size_t first, const Kernels& kernels,
-                 const Work& work) const;
+                 const Work& work, Workspace& workspace) const;
   void compile_for(std::span<const Pose> poses, unsigned threads) const;
 
   LaserModel laser_;
