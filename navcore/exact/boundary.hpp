@@ -1,4 +1,4 @@
-// What bounds the free space.
+// Private to this folder: What bounds the free space.
 #pragma once
 
 #include <cstdint>

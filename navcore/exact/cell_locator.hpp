@@ -1,4 +1,4 @@
-// Finds the cells that hold a point.
+// Private to this folder: Finds the cells that hold a point.
 #pragma once
 
 #include <cstdint>

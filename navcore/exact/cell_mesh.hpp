@@ -1,4 +1,4 @@
-// The free space as convex cells.
+// Private to this folder: The free space as convex cells.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The free space of a map for a point.
+// Private to this folder: The free space of a map for a point.
 #pragma once
 
 #include <cstdint>

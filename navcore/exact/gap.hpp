@@ -1,4 +1,4 @@
-// The gap between two sites.
+// Private to this folder: The gap between two sites.
 #pragma once
 
 #include <optional>

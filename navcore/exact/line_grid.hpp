@@ -1,4 +1,4 @@
-// A uniform grid of buckets over lines.
+// Private to this folder: A uniform grid of buckets over lines.
 #pragma once
 
 #include <algorithm>

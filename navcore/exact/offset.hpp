@@ -1,4 +1,4 @@
-// Free space for a disc.
+// Private to this folder: Free space for a disc.
 #pragma once
 
 #include "navcore/exact/tessellation.hpp"

@@ -1,4 +1,4 @@
-// Euclidean shortest paths over the cells of a mesh.
+// Private to this folder: Euclidean shortest paths over the cells of a mesh.
 #pragma once
 
 #include <cstdint>

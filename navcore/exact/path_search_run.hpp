@@ -1,4 +1,5 @@
-// One run of the search for a shortest path; used by path_search.cpp and path_views.cpp only.
+// Private to this folder: One run of the search for a shortest path; used by path_search.cpp and
+// path_views.cpp only.
 #pragma once
 
 #include <limits>

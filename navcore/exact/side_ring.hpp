@@ -1,4 +1,4 @@
-// Sides of free triangles, joined to larger convex cells.
+// Private to this folder: Sides of free triangles, joined to larger convex cells.
 #pragma once
 
 #include <cstdint>

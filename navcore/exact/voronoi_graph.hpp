@@ -1,4 +1,4 @@
-// The medial axis of the free space.
+// Private to this folder: The medial axis of the free space.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How wide the ways through a free space are.
+// Private to this folder: How wide the ways through a free space are.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-#include "navcore/exact/exact_planner.hpp"
+#include "navcore/exact/barrier_proof.hpp"
 #include "tests/navcore_exact/random_maps.hpp"
 
 namespace mapwright::navcore {
@@ -107,7 +107,10 @@ TEST(Barriers, AreFoundForEveryDiscThatCannotPassAndAFloodConfirmsThem) {
       if (answer.verdict == Verdict::kUndecided) ++undecided;
       if (answer.verdict != Verdict::kUnreachable) continue;
       ++proofs;
-      ASSERT_FALSE(answer.barrier.empty());
+      ASSERT_TRUE(proves_unreachable(map, RampPolicy::kFree, answer.barrier, a, b, radius_m));
+      EXPECT_FALSE(proves_unreachable(map, RampPolicy::kFree, answer.barrier, a, a, radius_m));
+      const Map bare{map.border, {}};
+      EXPECT_FALSE(proves_unreachable(bare, RampPolicy::kFree, answer.barrier, a, b, radius_m));
       // Where a passage is nearly wide enough, only small cells tell.
       for (const double cell : {0.05, 0.02, 0.008}) {
         if (generous_flood_connects(space, a, b, radius_m, cell * radius_m)) continue;
