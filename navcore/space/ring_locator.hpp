@@ -1,4 +1,4 @@
-// Private to this folder and to free_space.cpp: which rings hold a point.
+// Which rings hold a point.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Private to this folder and to free_space.cpp: where to draw points from, most of them free.
+// Where to draw points from, most of them free.
 #pragma once
 
 #include <functional>

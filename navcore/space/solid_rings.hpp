@@ -1,4 +1,4 @@
-// Private to this folder and to free_space.cpp: which side of the outlines of a map is solid.
+// Which side of the outlines of a map is solid.
 #pragma once
 
 #include <cstddef>
