@@ -52,35 +52,41 @@ ClosePair closest_pair(const Line& p, const Line& q) {
   return best;
 }
 
+// The lines along the edges, each once, and for each edge of the round its line.
+std::vector<std::uint32_t> add_lines(const EdgeRound& round, const LineWork& work,
+                                     std::vector<Line>& lines) {
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+  std::vector<std::uint32_t> line_of;
+  for (const std::uint32_t edge_number : round) {
+    const auto [place, is_new] =
+        numbers.emplace(edge_number, static_cast<std::uint32_t>(lines.size()));
+    line_of.push_back(place->second);
+    if (!is_new) continue;
+    const Edge& edge = work.edges[edge_number];
+    lines.push_back(
+        {work.vertices[edge.a], work.vertices[edge.b], work.pieces[edge.first_piece].source});
+  }
+  return line_of;
+}
+
 // The polygon that runs along the edges and takes the shortest way from each to the next.
 Barrier polygon_along(const EdgeRound& round, const LineWork& work) {
   Barrier barrier;
-  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
-  const auto number_of = [&](std::uint32_t edge_number) {
-    const auto [place, is_new] =
-        numbers.emplace(edge_number, static_cast<std::uint32_t>(barrier.lines.size()));
-    if (is_new) {
-      const Edge& edge = work.edges[edge_number];
-      barrier.lines.push_back(
-          {work.vertices[edge.a], work.vertices[edge.b], work.pieces[edge.first_piece].source});
-    }
-    return place->second;
+  const std::vector<std::uint32_t> line_of = add_lines(round, work, barrier.lines);
+  const std::size_t n = line_of.size();
+  const auto step_after = [&](std::size_t i) {
+    return closest_pair(barrier.lines[line_of[i]], barrier.lines[line_of[(i + 1) % n]]);
   };
-  std::vector<std::uint32_t> lines;
-  for (const std::uint32_t edge : round) lines.push_back(number_of(edge));
-  std::vector<ClosePair> steps;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    steps.push_back(
-        closest_pair(barrier.lines[lines[i]], barrier.lines[lines[(i + 1) % lines.size()]]));
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::size_t before = (i + lines.size() - 1) % lines.size();
-    const GridPoint arrive = steps[before].on_second, leave = steps[i].on_first;
-    const std::uint32_t next = lines[(i + 1) % lines.size()];
-    if (arrive != leave) barrier.legs.push_back({arrive, leave, lines[i], lines[i]});
-    if (leave != steps[i].on_second) {
-      barrier.legs.push_back({leave, steps[i].on_second, lines[i], next});
+  ClosePair before = step_after(n - 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const ClosePair step = step_after(i);
+    if (before.on_second != step.on_first) {
+      barrier.legs.push_back({before.on_second, step.on_first, line_of[i], line_of[i]});
     }
+    if (step.on_first != step.on_second) {
+      barrier.legs.push_back({step.on_first, step.on_second, line_of[i], line_of[(i + 1) % n]});
+    }
+    before = step;
   }
   return barrier;
 }

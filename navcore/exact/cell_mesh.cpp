@@ -92,39 +92,48 @@ double CellMesh::area_m2() const {
 
 void CellMesh::find_components() {
   component_.assign(cell_count(), kUnnumbered);
-  std::vector<std::uint32_t> waiting;
   for (std::uint32_t seed = 0; seed < cell_count(); ++seed) {
-    if (component_[seed] != kUnnumbered) continue;
-    const auto number = static_cast<std::uint32_t>(component_area_m2_.size());
-    component_area_m2_.push_back(0.0);
-    component_[seed] = number;
-    waiting.push_back(seed);
-    while (!waiting.empty()) {
-      const std::uint32_t cell = waiting.back();
-      waiting.pop_back();
-      component_area_m2_[number] += area_m2(cell);
-      for (std::uint32_t i = first_corner(cell); i < end_corner(cell); ++i) {
-        if (corners_[i].twin < 0) continue;
-        const std::uint32_t across = cell_of(corners_[i].twin);
-        if (component_[across] != kUnnumbered) continue;
-        component_[across] = number;
-        waiting.push_back(across);
-      }
+    if (component_[seed] == kUnnumbered) component_area_m2_.push_back(number_component(seed));
+  }
+  rank_components();
+}
+
+// Gives the next number to all cells that can be reached from the seed; returns their area.
+double CellMesh::number_component(std::uint32_t seed) {
+  const auto number = static_cast<std::uint32_t>(component_area_m2_.size());
+  double sum_m2 = 0.0;
+  std::vector<std::uint32_t> waiting{seed};
+  component_[seed] = number;
+  while (!waiting.empty()) {
+    const std::uint32_t cell = waiting.back();
+    waiting.pop_back();
+    sum_m2 += area_m2(cell);
+    for (std::uint32_t i = first_corner(cell); i < end_corner(cell); ++i) {
+      if (corners_[i].twin < 0) continue;
+      const std::uint32_t across = cell_of(corners_[i].twin);
+      if (component_[across] != kUnnumbered) continue;
+      component_[across] = number;
+      waiting.push_back(across);
     }
   }
+  return sum_m2;
+}
+
+// Renumbers the components by area.
+void CellMesh::rank_components() {
   std::vector<std::uint32_t> order(component_area_m2_.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) {
     return component_area_m2_[p] > component_area_m2_[q];
   });
   std::vector<std::uint32_t> rank(order.size());
-  std::vector<double> areas;
+  std::vector<double> areas_m2;
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     rank[order[i]] = i;
-    areas.push_back(component_area_m2_[order[i]]);
+    areas_m2.push_back(component_area_m2_[order[i]]);
   }
   for (auto& number : component_) number = rank[number];
-  component_area_m2_ = std::move(areas);
+  component_area_m2_ = std::move(areas_m2);
 }
 
 }  // namespace mapwright::navcore::exact

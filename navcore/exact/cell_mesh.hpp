@@ -56,6 +56,8 @@ class CellMesh {
  private:
   void find_pockets();
   void find_components();
+  double number_component(std::uint32_t seed);
+  void rank_components();
 
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> cell_of_corner_;

@@ -130,23 +130,24 @@ int winding_step(const LineWork& work, const Edge& edge) {
   return step;
 }
 
+// What the winding number grows by from the triangle's inside across its side i.
+int step_across(const Tessellation& space, std::uint32_t t, std::size_t i) {
+  const Triangle& triangle = space.triangles[t];
+  if (triangle.edge[i] < 0) return 0;
+  const Edge& edge = space.work.edges[static_cast<std::size_t>(triangle.edge[i])];
+  const int left_of_edge = winding_step(space.work, edge);
+  return triangle.corner[i] == edge.a ? -left_of_edge : left_of_edge;
+}
+
 // Winding numbers of the moved walls around each triangle, from the hull inwards.
 std::vector<int> winding_numbers(const Tessellation& space) {
   constexpr int kUnknown = -1'000'000;
   std::vector<int> winding(space.triangles.size(), kUnknown);
   std::vector<std::uint32_t> waiting;
-  // Going from the left of side i to its right.
-  const auto step_across = [&](std::uint32_t t, std::size_t i) {
-    const Triangle& triangle = space.triangles[t];
-    if (triangle.edge[i] < 0) return 0;
-    const Edge& edge = space.work.edges[static_cast<std::size_t>(triangle.edge[i])];
-    const int left_of_edge = winding_step(space.work, edge);
-    return triangle.corner[i] == edge.a ? -left_of_edge : left_of_edge;
-  };
   for (std::uint32_t t = 0; t < space.triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (space.triangles[t].neighbour[i] >= 0 || winding[t] != kUnknown) continue;
-      winding[t] = -step_across(t, i);
+      winding[t] = -step_across(space, t, i);
       waiting.push_back(t);
     }
   }
@@ -156,7 +157,7 @@ std::vector<int> winding_numbers(const Tessellation& space) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t across = space.triangles[t].neighbour[i];
       if (across < 0 || winding[across] != kUnknown) continue;
-      winding[across] = winding[t] + step_across(t, i);
+      winding[across] = winding[t] + step_across(space, t, i);
       waiting.push_back(static_cast<std::uint32_t>(across));
     }
   }
@@ -188,8 +189,10 @@ double offset_excess(int tangents_a_quadrant) {
 }
 
 Tessellation offset_free_space(const Tessellation& base, const OffsetOptions& options) {
-  // A disc wider than the map fits nowhere, and its offsets would leave the grid.
+  // A disc wider than the map fits nowhere, and larger offsets would leave the grid.
+  constexpr double kMostRadius_mm = 1e8;
   if (options.radius_mm >= half_of_narrow_side_mm(base.work.vertices)) return {};
+  if (options.radius_mm > kMostRadius_mm) return {};
   for (double noding_mm = kRounding_mm;;) {
     const double radius_mm = options.radius_mm + options.base_error_mm + kRounding_mm + noding_mm;
     Tessellation space;

@@ -24,6 +24,8 @@ double offset_excess(int tangents_a_quadrant);
 /// radius · (offset_excess − 1) at convex corners, and 1.5 mm + base_error_mm everywhere, which
 /// pays for rounding to the grid.
 ///
+/// Empty for a disc wider than the base, and for one of more than 100 km, which counts as such.
+///
 /// `Line::source` of the result's lines is the edge of `base` they keep away from.
 Tessellation offset_free_space(const Tessellation& base, const OffsetOptions& options);
 
