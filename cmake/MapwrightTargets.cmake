@@ -4,10 +4,6 @@ set(MAPWRIGHT_HEADERS_ONLY nlohmann_json::nlohmann_json Boost::boost Boost::head
 # One library target a folder: mapwright_library(NAME SOURCES... PUBLIC libs... PRIVATE libs...)
 function(mapwright_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  if(NOT ARG_SOURCES)
-    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp "")
-    set(ARG_SOURCES ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
-  endif()
   add_library(${name} STATIC ${ARG_SOURCES})
   add_library(mapwright::${name} ALIAS ${name})
   set_target_properties(${name} PROPERTIES
