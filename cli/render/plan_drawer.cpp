@@ -40,7 +40,7 @@ void add_proofs(const Json& query, converter::Overlay& overlay) {
     add_legend(overlay, barrier, "barrier: no way across for this robot");
     overlay.items.emplace_back(std::move(barrier));
   }
-  if (!query.contains("bottleneck_at")) return;
+  if (!query.contains("bottleneck_at") || query.at("bottleneck_at").is_null()) return;
   const converter::OverlayDots dot{{point_of(query.at("bottleneck_at"))}, 2.6, kBarrier};
   add_legend(overlay, dot, "bottleneck: narrowest place of the widest way");
   overlay.items.emplace_back(dot);

@@ -85,6 +85,23 @@ TEST_F(RenderVerb, DrawsAnswersOfOtherVerbs) {
   }
 }
 
+// What the other verbs really answer, so that neither side can drift from the other.
+TEST_F(RenderVerb, DrawsWhatTheOtherVerbsAnswer) {
+  const std::string plain = picture({});
+  const std::vector<std::vector<std::string>> verbs = {
+      {"plan", "--start", "1,1", "--goal", "9,9", "--planner", "rrt", "--with-tree"},
+      {"plan", "--start", "1,1", "--goal", "9,9", "--planner", "balanced-rrt"},
+      {"plan", "--start", "1,1", "--goal", "9,9", "--planner", "exact", "--radius", "0.3"},
+      {"plan", "--start", "1,1", "--goal", "7,5"},
+      {"scan", "--pose", "2,2,0"},
+      {"localize", "--pose", "2,2,0", "--iterations", "1", "--with-particles"}};
+  for (auto arguments : verbs) {
+    arguments.insert(arguments.begin() + 1, map_);
+    arguments.insert(arguments.end(), {"--format", "json"});
+    EXPECT_NE(overlay(run(arguments).out), plain) << testing::PrintToString(arguments);
+  }
+}
+
 TEST_F(RenderVerb, ChoosesTheIteration) {
   const std::string answer = folder_.file("answer.json", kLocalization);
   const std::string last = picture({"--overlay", answer});
