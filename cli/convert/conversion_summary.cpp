@@ -56,9 +56,10 @@ std::string reasons_of(const Ledger& ledger, Outcome outcome) {
 void report_conversion(const converter::Conversion& conversion, Console& console) {
   for (const auto& warning : conversion.warnings) console.warning(warning);
   const auto totals = conversion.ledger.totals();
-  console.note(std::to_string(totals.features) + " features: " + std::to_string(totals.written) +
-               " written, " + std::to_string(totals.changed) + " changed, " +
-               std::to_string(totals.dropped) + " dropped");
+  console.note(std::to_string(totals.features) +
+               (totals.features == 1 ? " feature: " : " features: ") +
+               std::to_string(totals.written) + " written, " + std::to_string(totals.changed) +
+               " changed, " + std::to_string(totals.dropped) + " dropped");
   const auto say = [&](const char* what, Outcome outcome) {
     const std::string reasons = reasons_of(conversion.ledger, outcome);
     if (!reasons.empty()) console.note(what + reasons);

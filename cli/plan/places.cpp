@@ -1,6 +1,7 @@
 #include "cli/plan/places.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 #include "cli/support/arguments.hpp"
@@ -13,6 +14,10 @@ std::string number_text(double value) {
   char buffer[32];
   const auto result = std::to_chars(std::begin(buffer), std::end(buffer), value);
   return {std::begin(buffer), result.ptr};
+}
+
+double to_millimetre(double metres) {
+  return std::round(metres * 1000.0) / 1000.0;
 }
 
 std::string metres_text(double metres) {
@@ -58,8 +63,8 @@ std::optional<std::string> why_not_standing(const Map& map, const navcore::FreeS
   const std::string robot = "a robot of radius " + number_text(radius_m) + " m";
   if (fits_nowhere(map.border, radius_m)) {
     return robot + " does not fit within the map's border, " +
-           number_text(map.border.right - map.border.left) + " m by " +
-           number_text(map.border.top - map.border.bottom) + " m";
+           number_text(to_millimetre(map.border.right - map.border.left)) + " m by " +
+           number_text(to_millimetre(map.border.top - map.border.bottom)) + " m";
   }
   if (!map.border.contains(p)) return place + " lies outside of the map's border";
   if (const auto solid = space.solid_at(p)) {
