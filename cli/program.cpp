@@ -16,7 +16,8 @@ namespace {
 namespace po = boost::program_options;
 
 void print_program_help(std::ostream& out) {
-  out << "mapwright turns GIS vector layers into maps a robot can navigate by, and proves them fit.\n"
+  out << "mapwright turns GIS vector layers into maps a robot can navigate by, and proves them "
+         "fit.\n"
          "\n"
          "Usage: mapwright VERB [OPTIONS] ...\n"
          "\n"
@@ -25,16 +26,18 @@ void print_program_help(std::ostream& out) {
     out << "  " << std::left << std::setw(10) << verb.name << ' ' << verb.summary << '\n';
   }
   out << "\n"
-         "mapwright help VERB or mapwright VERB --help says more; mapwright --version the version.\n"
+         "mapwright help VERB or mapwright VERB --help says more; mapwright --version the "
+         "version.\n"
          "\n"
-         "Exit status: 0 success; 1 findings of severity error or a negative answer; 2 wrong usage;\n"
+         "Exit status: 0 success; 1 findings of severity error or a negative answer; 2 wrong "
+         "usage;\n"
          "3 an input cannot be read; 4 an output cannot be written; 5 internal error.\n";
 }
 
 const VerbEntry& find_verb(const std::string& name) {
   const auto& all = verbs();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const VerbEntry& verb) { return verb.name == name; });
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const VerbEntry& verb) { return verb.name == name; });
   if (found == all.end()) {
     fail_usage("there is no verb '" + name + "'; 'mapwright --help' lists them");
   }
@@ -43,8 +46,8 @@ const VerbEntry& find_verb(const std::string& name) {
 
 po::options_description common_options() {
   po::options_description common("Common options");
-  common.add_options()("help,h", "show this help")("quiet,q", "say nothing but errors")(
-      "verbose,v", "say more");
+  common.add_options()("help,h", "show this help")("quiet,q", "say nothing but errors")("verbose,v",
+                                                                                        "say more");
   return common;
 }
 

@@ -23,8 +23,8 @@ int main() {
   const mapwright::navcore::LaserModel laser{1, 180.0, 15.0, 0.5};
   std::vector<double> range_m(1);
   mapwright::navcore::CulledRayCaster(map).cast({1.0, 5.0, {}}, laser, range_m);
-  const auto picture = mapwright::converter::draw_picture(
-      map, {}, {}, mapwright::converter::PictureFormat::kSvg);
+  const auto picture =
+      mapwright::converter::draw_picture(map, {}, {}, mapwright::converter::PictureFormat::kSvg);
   std::cout << "findings " << document.findings.size() << ", area "
             << mapwright::signed_area_m2(ring) << ", range " << range_m[0] << ", picture "
             << (picture ? "drawn" : picture.error().message) << '\n';
