@@ -54,6 +54,7 @@ Json iteration_json(const navcore::IterationRecord& iteration) {
   json["mode_share"] = estimate.mode_share;
   json["mode_spread_m"] = estimate.mode_spread_m;
   json["believes_converged"] = iteration.believes;
+  json["truth_advantage"] = iteration.truth_advantage;
   json["estimate"] = pose_json(estimate.pose);
   json["true_pose"] = pose_json(iteration.true_pose);
   if (iteration.particles.size() == 0) return json;
@@ -90,6 +91,7 @@ Json run_summary_json(const navcore::ExperimentRun& run) {
   json["right_from"] = from ? Json(*from) : Json(nullptr);
   json["position_error_m"] = last.position_error_m;
   json["heading_error_deg"] = last.heading_error.degrees();
+  json["truth_advantage"] = run.truth_advantage();
   json["estimate"] = pose_json(last.estimate.pose);
   json["true_pose"] = pose_json(last.true_pose);
   return json;

@@ -1,5 +1,6 @@
 #include "navcore/localization/experiment.hpp"
 
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -84,6 +85,14 @@ IterationRecord record(std::size_t n, const UpdateReport& update, const Particle
   return result;
 }
 
+double truth_advantage(const ScanWeigher& weigher, const ExperimentSettings& settings,
+                       const std::vector<double>& scan, const IterationRecord& iteration) {
+  const std::array<Pose, 2> poses{iteration.true_pose, iteration.estimate.pose};
+  std::array<double, 2> factors{};
+  weigher.weigh(scan, settings.laser, settings.filter.likelihood, poses, factors, 1);
+  return factors[0] - factors[1];
+}
+
 }  // namespace
 
 bool IterationRecord::is_right() const {
@@ -96,6 +105,12 @@ bool ExperimentRun::converged() const {
 
 bool ExperimentRun::mistaken() const {
   return !iterations.empty() && iterations.back().believes && !iterations.back().is_right();
+}
+
+double ExperimentRun::truth_advantage() const {
+  double sum = 0.0;
+  for (const auto& iteration : iterations) sum += iteration.truth_advantage;
+  return sum;
 }
 
 std::optional<std::size_t> ExperimentRun::right_from() const {
@@ -128,9 +143,11 @@ Result<ExperimentRun> run_experiment(const FreeSpace& space, const RayCaster& ca
     std::vector<double> scan = robot.scan();
     const UpdateReport update = filter.update(scan);
     run.iterations.push_back(record(n, update, filter, robot.pose()));
+    IterationRecord& last = run.iterations.back();
+    last.truth_advantage = truth_advantage(weigher, settings, scan, last);
     if (!settings.keep_particles) continue;
-    run.iterations.back().scan = std::move(scan);
-    run.iterations.back().particles = filter.particles();
+    last.scan = std::move(scan);
+    last.particles = filter.particles();
   }
   return run;
 }

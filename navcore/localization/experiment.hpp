@@ -47,8 +47,13 @@ struct IterationRecord {
   PoseEstimate estimate;
   Pose true_pose;
   double position_error_m = 0.0;
-  Angle heading_error;       ///< >= 0
-  bool believes = false;     ///< the filter takes itself for converged
+  Angle heading_error;    ///< >= 0
+  bool believes = false;  ///< the filter takes itself for converged
+  /// How much better the true pose explains the scan than the estimate does: difference of the
+  /// logarithms of the scan's factor (likelihood.hpp), untempered. Where an estimate that is wrong
+  /// has a large one, the true place was lost among the particles; with one near 0 the places look
+  /// alike.
+  double truth_advantage = 0.0;
   std::vector<double> scan;  ///< with keep_particles: as perceived
   ParticleSet particles;     ///< with keep_particles
 
@@ -66,6 +71,8 @@ struct ExperimentRun {
   bool converged() const;
   /// The filter believes to be converged at the end, and is wrong.
   bool mistaken() const;
+  /// The sum over all iterations.
+  double truth_advantage() const;
   /// First iteration (1-based) from which on the estimate stays right; nothing if it is wrong at
   /// the end.
   std::optional<std::size_t> right_from() const;

@@ -125,6 +125,20 @@ TEST_F(Localization, RunsTheReportsFilterLiterally) {
   }
 }
 
+TEST_F(Localization, TellsLikePlacesFromLostOnes) {
+  ExperimentSettings settings = small(robust_settings());
+  settings.filter.particles = 1;  // one particle is nowhere near
+  settings.filter.first_particles = 1;
+  settings.filter.elsewhere_particles = 0;
+  const auto lost = run(settings, kStart);
+  ASSERT_TRUE(lost);
+  EXPECT_FALSE(lost->right_from());
+  EXPECT_GT(lost->truth_advantage(), 100.0);
+  const auto found = run(small(robust_settings()), kStart);
+  ASSERT_TRUE(found);
+  EXPECT_LT(std::abs(found->truth_advantage()), 100.0);
+}
+
 TEST_F(Localization, IsTheSameForAnyNumberOfThreads) {
   ExperimentSettings settings = small(robust_settings());
   settings.iterations = 3;

@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "converter/pipeline/convert.hpp"
+#include "converter/rules/rule_reader.hpp"
 #include "navcore/rays/brute_force_ray_caster.hpp"
 #include "navcore/rays/culled_ray_caster.hpp"
 #include "tests/navcore/shapes.hpp"
+#include "tests/support/data.hpp"
 
 namespace mapwright::navcore {
 namespace {
@@ -42,6 +45,32 @@ void expect_agreement(const Map& map, std::uint64_t seed) {
     EXPECT_LE(result.worst_m, 1e-9) << laser.rays << " rays over " << laser.fov_deg;
     EXPECT_GT(result.stopped, 100U);
   }
+}
+
+Map converted(const std::filesystem::path& source) {
+  converter::ConvertOptions options;
+  options.sources = {source.string()};
+  options.rules =
+      converter::read_rules(std::string(converter::builtin_rules("auto")), "auto").value();
+  return converter::convert(options).value().map;
+}
+
+// 0.15 m above the ground a laser meets steps, kerbs and ramps.
+void expect_agreement_of_real_map(const Map& map) {
+  for (const double height_m : {0.5, 0.15}) {
+    const auto result = compare(map, {131, 180, 15, height_m}, 1000, 7);
+    EXPECT_LE(result.worst_m, 1e-9) << height_m;
+    EXPECT_GT(result.stopped, 10000U);
+  }
+}
+
+TEST(RayAgreement, OnTheSampleCampus) {
+  expect_agreement_of_real_map(converted(test::project_file("samples/campus/campus.gpkg")));
+}
+
+TEST(RayAgreement, OnCampusNord) {
+  MAPWRIGHT_REQUIRE_REAL_DATA("campus_nord/campus_nord_25831.gpkg");
+  expect_agreement_of_real_map(converted(test::real_data("campus_nord/campus_nord_25831.gpkg")));
 }
 
 TEST(RayAgreement, OnAClutteredSquare) {
