@@ -32,7 +32,14 @@ draw stairs_from_above.png "$square" --bbox 28,34,60,53 --scan '46,37,90' --labe
 draw ramp_from_below.png "$campus" --bbox 66,36,94,62 --scan '80,39,90'
 draw ramp_from_above.png "$campus" --bbox 66,36,94,62 --scan '80,57,-90'
 
-# docs/checks: what validate says, on the map.
+# docs/experiments/planning.md: trees and paths (the report's figures 7 and 8).
+for planner in rrt balanced-rrt; do
+  "$program" plan "$campus" --start '12.8,13.5' --goal '80,68' --radius 0.3 --planner "$planner" \
+    --with-tree --format json >"$scratch/$planner.json"
+  draw "$planner.png" "$campus" --overlay "$scratch/$planner.json" --labels none
+done
+
+# samples/README.md: what validate says, on the map.
 "$program" validate samples/broken/square_broken.txt --format json >"$scratch/findings.json" || true
 draw findings.png samples/broken/square_broken.txt --overlay "$scratch/findings.json" \
   --labels none --title 'Findings in a map edited by hand' 2>/dev/null

@@ -106,6 +106,20 @@ TEST(Documents, IndexesAreComplete) {
   expect_index_names_all("docs/checks");
 }
 
+// A comment that sends its reader to a page which is not there.
+TEST(Documents, PagesNamedInSourcesExist) {
+  static const std::regex page("docs/[a-z_]+\\.md");
+  for (const char* folder : {"mapcore", "navcore", "validators", "converter", "cli", "cmake"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(project_file(folder))) {
+      if (!entry.is_regular_file()) continue;
+      const std::string text = text_of(entry.path());
+      for (std::sregex_iterator match(text.begin(), text.end(), page), end; match != end; ++match) {
+        EXPECT_TRUE(fs::exists(project_file(match->str()))) << entry.path() << ": " << match->str();
+      }
+    }
+  }
+}
+
 TEST(DocumentRules, SeeLinksOutsideOfCode) {
   EXPECT_EQ(links_in("a [b](c.md) ![d](e/f.png)\n    [code](no.md)\n[x](y.md#z)"),
             (std::vector<std::string>{"c.md", "e/f.png", "y.md#z"}));
