@@ -59,8 +59,7 @@ Json iteration_json(const navcore::IterationRecord& iteration) {
   json["true_pose"] = pose_json(iteration.true_pose);
   if (iteration.particles.size() == 0) return json;
   json["scan"] = iteration.scan;
-  json["particle_count"] = iteration.update.particles;
-  json["particles"] = particles_json(iteration.particles);
+  json["particle_set"] = particles_json(iteration.particles);
   return json;
 }
 

@@ -30,9 +30,7 @@ const Json& chosen_iteration(const Json& answer, std::optional<std::size_t> iter
 
 // Rows of x, y, theta_deg, weight. Without --with-particles an iteration only says how many.
 const Json& particles_of(const Json& iteration) {
-  for (const char* key : {"particle_set", "particles"}) {
-    if (iteration.contains(key) && iteration.at(key).is_array()) return iteration.at(key);
-  }
+  if (iteration.contains("particle_set")) return iteration.at("particle_set");
   throw std::runtime_error("it holds no particles; run localize --with-particles");
 }
 

@@ -78,15 +78,15 @@ TEST_F(Localize, GivesParticlesAndScansWhenAsked) {
   const Json json = Json::parse(result.out);
   for (const auto& iteration : json["iterations"]) {
     EXPECT_EQ(iteration["scan"].size(), 31U);
-    ASSERT_EQ(iteration["particles"].size(), 1000U);
+    ASSERT_EQ(iteration["particle_set"].size(), 1000U);
     double weight = 0.0;
-    for (const auto& particle : iteration["particles"]) {
+    for (const auto& particle : iteration["particle_set"]) {
       ASSERT_EQ(particle.size(), 4U);
       weight += particle[3].get<double>();
     }
     EXPECT_NEAR(weight, 1.0, 1e-9);
   }
-  EXPECT_EQ(json["iterations"][0]["particle_count"], 2000);
+  EXPECT_EQ(json["iterations"][0]["particles"], 2000);
 }
 
 TEST_F(Localize, SaysSoWhenItDoesNotConverge) {
