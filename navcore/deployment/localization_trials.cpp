@@ -1,21 +1,11 @@
 #include "navcore/deployment/localization_trials.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <vector>
 
 #include "navcore/engine/scan_engine.hpp"
+#include "navcore/localization/trial_summary.hpp"
 
 namespace mapwright::navcore {
-namespace {
-
-// The value that `share` of the sorted values do not exceed (nearest rank).
-double quantile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0.0;
-  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
-  return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-}
-
-}  // namespace
 
 LocalizationTrials run_localization_trials(const Map& map, const FreeSpace& space,
                                            const ExperimentSettings& settings, std::size_t trials,
@@ -35,9 +25,9 @@ LocalizationTrials run_localization_trials(const Map& map, const FreeSpace& spac
       result.lost.push_back({run.start, error_m});
     }
   }
-  std::sort(errors_m.begin(), errors_m.end());
-  result.median_error_m = quantile(errors_m, 0.5);
-  result.p95_error_m = quantile(errors_m, 0.95);
+  const MedianAndP95 error_m = median_and_p95(errors_m).value_or(MedianAndP95{});
+  result.median_error_m = error_m.median;
+  result.p95_error_m = error_m.p95;
   return result;
 }
 
