@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "validators/check.hpp"
+#include "validators/shape/each_of_kind.hpp"
 #include "validators/wording.hpp"
 
 namespace mapwright::validators {
@@ -57,12 +58,8 @@ void check_obstacle(const Obstacle& obstacle, std::size_t i, FindingSink& sink) 
 
 // A simple ring has no segment twice, so few obstacles need the search.
 void check_duplicate_segment(const CheckContext& context, FindingSink& sink) {
-  const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    const Outline& outline = context.outlines()[i];
-    const bool is_flat_ring = is_closed(obstacles[i].shape_type) && outline.is_flat;
-    if (!outline.is_ring && !is_flat_ring) check_obstacle(obstacles[i], i, sink);
-  }
+  for_each_suspect_chain(
+      context, [&](const Obstacle& obstacle, std::size_t i) { check_obstacle(obstacle, i, sink); });
 }
 
 }  // namespace mapwright::validators

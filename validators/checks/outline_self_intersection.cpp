@@ -4,6 +4,7 @@
 
 #include "mapcore/geometry/segment_index.hpp"
 #include "validators/check.hpp"
+#include "validators/shape/each_of_kind.hpp"
 #include "validators/wording.hpp"
 
 namespace mapwright::validators {
@@ -141,12 +142,8 @@ void check_obstacle(const Obstacle& obstacle, std::size_t i, FindingSink& sink) 
 }  // namespace
 
 void check_outline_self_intersection(const CheckContext& context, FindingSink& sink) {
-  const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    const Outline& outline = context.outlines()[i];
-    const bool is_flat_ring = is_closed(obstacles[i].shape_type) && outline.is_flat;
-    if (!outline.is_ring && !is_flat_ring) check_obstacle(obstacles[i], i, sink);
-  }
+  for_each_suspect_chain(
+      context, [&](const Obstacle& obstacle, std::size_t i) { check_obstacle(obstacle, i, sink); });
 }
 
 }  // namespace mapwright::validators

@@ -1,4 +1,4 @@
-// The loops that the checks of stairs and of ramps share.
+// The loops that checks of one kind of obstacle share.
 #pragma once
 
 #include "validators/check.hpp"
@@ -27,6 +27,19 @@ void for_each_ramp(const CheckContext& context, const CheckRamp& check) {
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     if (obstacles[i].shape_type != ShapeType::kRamp || obstacles[i].segments.empty()) continue;
     check(obstacles[i], i);
+  }
+}
+
+/// Calls `check(obstacle, position)` for each obstacle that may meet itself: not for sound rings,
+/// which are known to be simple, nor for closed shapes without area, which are a finding of their
+/// own.
+template <class CheckChain>
+void for_each_suspect_chain(const CheckContext& context, const CheckChain& check) {
+  const auto& obstacles = context.map().obstacles;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const Outline& outline = context.outlines()[i];
+    const bool is_flat_ring = is_closed(obstacles[i].shape_type) && outline.is_flat;
+    if (!outline.is_ring && !is_flat_ring) check(obstacles[i], i);
   }
 }
 
