@@ -5,15 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "cli/check/gate_arguments.hpp"
 #include "cli/support/arguments.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/findings_text.hpp"
-#include "cli/support/laser_options.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/support/map_list.hpp"
 #include "cli/support/map_reports.hpp"
-#include "cli/support/number_options.hpp"
 #include "cli/verb.hpp"
 #include "navcore/parallel.hpp"
 #include "validators/deployment/deployment_gate.hpp"
@@ -110,7 +109,6 @@ class Check : public Verb {
   ExitStatus run(Console& console) override;
 
  private:
-  void configure_robot(const po::variables_map& values);
   void check_all(const std::vector<std::string>& maps, std::ostream& out, bool colour,
                  Console& console);
 
@@ -132,15 +130,7 @@ void Check::declare(po::options_description& options,
   auto add = options.add_options();
   add("map", po::value(&paths_)->required()->composing(),
       "maps, or folders of maps; - reads standard input");
-  add("robot-radius", text("0.3"), "of the robot, a disc, in metres");
-  add("ramps", text("free"), "free: driven across like open ground; avoid: their footprints block");
-  add("plans", text("20"), "paths to plan between random places of the largest area; 0: none");
-  add("trials", text("10"), "localization runs from random places; 0: none");
-  add("min-converged", text("0.8"),
-      "share of the localization runs, from 0 to 1, that must find their place (else N104)");
-  add("min-unreachable", text("1"), "smallest area, in m², that N102 reports as out of reach");
-  declare_laser_options(options);
-  add("seed", text("1"), "of the random numbers, a whole number");
+  declare_gate_options(options);
   add("jobs", text("1"), "threads; 0: as many as the machine has. The answer is the same");
   add("shard", text("1/1"), "part/parts: check this part of the maps only");
   add("format", po::value(&format_name_)->default_value("text"),
@@ -158,23 +148,7 @@ void Check::configure(const po::variables_map& values) {
   if (std::count(paths_.begin(), paths_.end(), "-") > 1) {
     fail_usage("standard input can be read once only");
   }
-  configure_robot(values);
-}
-
-void Check::configure_robot(const po::variables_map& values) {
-  const auto text = [&](const char* name) { return values[name].as<std::string>(); };
-  auto& robot = options_.deployment;
-  robot.robot_radius_m = number_option(values, "robot-radius", 0.0);
-  options_.min_unreachable_m2 = number_option(values, "min-unreachable", 0.0);
-  options_.min_converged = number_option(values, "min-converged", 0.0, 1.0);
-  robot.plans = parse_integer("plans", text("plans"), 0, 1'000'000);
-  robot.localization_trials = parse_integer("trials", text("trials"), 0, 1'000'000);
-  robot.localization.laser = laser_model(values);
-  robot.seed = parse_integer("seed", text("seed"));
-  if (text("ramps") != "free" && text("ramps") != "avoid") {
-    fail_usage("--ramps: '" + text("ramps") + "' is neither free nor avoid");
-  }
-  if (text("ramps") == "avoid") robot.ramps = navcore::RampPolicy::kAvoid;
+  options_ = gate_options(values);
 }
 
 void Check::check_all(const std::vector<std::string>& maps, std::ostream& out, bool colour,

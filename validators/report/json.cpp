@@ -31,6 +31,9 @@ class JsonReport : public ReportWriter {
     out_ << (first_ ? "\n" : ",\n") << "    {\n      \"path\": " << dumped(std::string(report.path))
          << ",\n      \"verdict\": " << (report.passes() ? "\"pass\"" : "\"fail\"");
     if (report.unreadable) out_ << ",\n      \"unreadable\": " << dumped(*report.unreadable);
+    if (report.interruption != Interruption::kNone) {
+      out_ << ",\n      \"interrupted\": " << dumped(std::string(to_string(report.interruption)));
+    }
     out_ << ",\n      \"findings\": [";
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
       out_ << (i == 0 ? "\n        " : ",\n        ") << finding_json(report.findings[i]);

@@ -9,6 +9,20 @@ namespace mapwright::validators {
 #include "validators/report/report_formats.def"
 #undef MAPWRIGHT_REPORT_FORMAT
 
+std::string_view to_string(Interruption interruption) {
+  switch (interruption) {
+    case Interruption::kNone:
+      return {};
+    case Interruption::kTimeLimit:
+      return "time limit";
+    case Interruption::kMemoryLimit:
+      return "memory limit";
+    case Interruption::kCrash:
+      return "crash";
+  }
+  return {};
+}
+
 const std::vector<ReportFormat>& report_formats() {
   static const std::vector<ReportFormat> formats{
 #define MAPWRIGHT_REPORT_FORMAT(name, summary) {#name, summary, &make_##name##_report},

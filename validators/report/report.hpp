@@ -1,6 +1,7 @@
 // Findings of many maps, written in one of several formats.
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <memory>
 #include <optional>
@@ -19,13 +20,17 @@ struct ReportSection {
   std::string line;  ///< the same for people
 };
 
+/// What ended the check of a map before its end.
+enum class Interruption : std::uint8_t { kNone, kTimeLimit, kMemoryLimit, kCrash };
+
 /// What validation said of one map.
 struct MapReport {
   std::string_view path;  ///< as messages name it
   std::string_view text;  ///< of the map, for excerpts; may be empty
   std::vector<Finding> findings;
-  std::optional<std::string> unreadable;     ///< why the map could not be read at all
+  std::optional<std::string> unreadable;     ///< why the map could not be read at all, or judged
   std::vector<ReportSection> sections = {};  ///< behind the findings; of an unreadable map none
+  Interruption interruption = Interruption::kNone;  ///< with `unreadable`: it was read, but …
 
   /// True if the map could be read and nothing of severity error was found.
   bool passes() const { return !unreadable && !has_errors(findings); }
@@ -41,6 +46,9 @@ class ReportWriter {
  public:
   virtual ~ReportWriter() = default;
   virtual void map(const MapReport& report) = 0;
+  /// True if `map` reads more of MapReport::text than the lines that findings name: only then must
+  /// a report put together from parts find the maps again.
+  virtual bool needs_whole_text() const { return false; }
   /// Call once behind the last map.
   virtual void finish() = 0;
 };
@@ -51,6 +59,9 @@ struct ReportFormat {
   std::string_view summary;
   std::unique_ptr<ReportWriter> (*make)(std::ostream& out, const ReportOptions& options);
 };
+
+/// "time limit", "memory limit", "crash"; empty for none.
+std::string_view to_string(Interruption interruption);
 
 const std::vector<ReportFormat>& report_formats();
 
