@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "converter/frame/frame_wkt.hpp"
 #include "converter/pipeline/assembly.hpp"
@@ -42,8 +43,26 @@ Result<MapTransform> transform_of(const LayerJob& job, const std::optional<Local
     return input_failure(job.source->path() + ": layer " + job.info().name + ": " +
                          to_wgs84.error().message);
   }
-  return MapTransform(*std::move(to_wgs84), *frame, job.crs.metres_per_unit);
+  return MapTransform(*std::move(to_wgs84), *frame, job.crs);
 }
+
+// Layers of one CRS share their way to the map, and with it what it has learnt of the ground.
+class Transforms {
+ public:
+  explicit Transforms(const std::optional<LocalFrame>& frame) : frame_(frame) {}
+
+  Result<MapTransform> of(const LayerJob& job) {
+    const auto known = by_crs_.find(job.crs.wkt);
+    if (known != by_crs_.end()) return known->second;
+    auto transform = transform_of(job, frame_);
+    if (transform) by_crs_.emplace(job.crs.wkt, *transform);
+    return transform;
+  }
+
+ private:
+  const std::optional<LocalFrame>& frame_;
+  std::map<std::string, MapTransform> by_crs_;
+};
 
 std::size_t open_account(const LayerJob& job, const ConvertOptions& options, Ledger& ledger) {
   LedgerSource source;
@@ -57,8 +76,9 @@ std::size_t open_account(const LayerJob& job, const ConvertOptions& options, Led
 Result<void> convert_layers(const ConvertOptions& options, const OpenedSources& sources,
                             const std::optional<LocalFrame>& frame, Workspace& workspace) {
   StairsCollector stairs(workspace);
+  Transforms transforms(frame);
   for (const auto& job : sources.jobs) {
-    const auto transform = transform_of(job, frame);
+    const auto transform = transforms.of(job);
     if (!transform) return tl::unexpected(transform.error());
     const std::size_t source = open_account(job, options, workspace.ledger);
     auto done = LayerConverter(options, job, *transform, source, workspace, stairs).run();

@@ -40,11 +40,11 @@ bool is_directional(FeatureKind kind) {
 }  // namespace
 
 LayerConverter::LayerConverter(const ConvertOptions& options, const LayerJob& job,
-                               const MapTransform& transform, std::size_t source,
-                               Workspace& workspace, StairsCollector& stairs)
+                               MapTransform transform, std::size_t source, Workspace& workspace,
+                               StairsCollector& stairs)
     : options_(options),
       job_(job),
-      transform_(transform),
+      transform_(std::move(transform)),
       source_(source),
       workspace_(workspace),
       stairs_(stairs),

@@ -11,8 +11,8 @@ namespace mapwright::converter {
 
 class LayerConverter {
  public:
-  /// Borrows everything; `source` is the layer's position in the ledger.
-  LayerConverter(const ConvertOptions& options, const LayerJob& job, const MapTransform& transform,
+  /// Borrows everything else; `source` is the layer's position in the ledger.
+  LayerConverter(const ConvertOptions& options, const LayerJob& job, MapTransform transform,
                  std::size_t source, Workspace& workspace, StairsCollector& stairs);
 
   /// Reads the layer to its end. Fails where it cannot be read, or its coordinates cannot be what
@@ -31,7 +31,7 @@ class LayerConverter {
 
   const ConvertOptions& options_;
   const LayerJob& job_;
-  const MapTransform& transform_;
+  MapTransform transform_;
   std::size_t source_;
   Workspace& workspace_;
   StairsCollector& stairs_;

@@ -1,10 +1,11 @@
 // From a layer's coordinates to the map frame.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <span>
 
 #include "converter/frame/local_frame.hpp"
+#include "converter/frame/transform_patches.hpp"
 #include "converter/gdal/crs.hpp"
 #include "mapcore/point.hpp"
 
@@ -15,18 +16,27 @@ class MapTransform {
   /// Plain local metres: coordinates stay as they are.
   MapTransform() = default;
   /// Source CRS → WGS 84 → map frame. Borrows the frame.
-  MapTransform(CrsTransform to_wgs84, const LocalFrame& frame, double metres_per_unit)
-      : to_wgs84_(std::move(to_wgs84)), frame_(&frame), metres_per_unit_(metres_per_unit) {}
+  MapTransform(CrsTransform to_wgs84, const LocalFrame& frame, const Crs& crs);
 
-  /// Source coordinates to metres of the map frame, in place; NaN where there is no way.
-  void apply(std::span<double> xs, std::span<double> ys) const;
+  /// Source coordinates to metres of the map frame, in place; NaN where there is no way. Within
+  /// TransformPatches::kBound_m of apply_exactly.
+  void apply(std::span<double> xs, std::span<double> ys);
+
+  /// The same by PROJ and GeographicLib, point by point.
+  void apply_exactly(std::span<double> xs, std::span<double> ys) const;
 
   /// North of the source's grid at a place given in source coordinates: unit vector, map frame.
   Point grid_north(double x, double y) const;
 
  private:
-  std::optional<CrsTransform> to_wgs84_;
-  const LocalFrame* frame_ = nullptr;
+  struct Route {
+    CrsTransform to_wgs84;
+    const LocalFrame* frame;
+    void apply(std::span<double> xs, std::span<double> ys) const;
+  };
+
+  std::shared_ptr<const Route> route_;  // none: plain local metres
+  std::shared_ptr<TransformPatches> patches_;
   double metres_per_unit_ = 1.0;
 };
 
