@@ -1,6 +1,7 @@
 #include "mapcore/text/document.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "mapcore/text/byte_counts.hpp"
 #include "mapcore/text/characters.hpp"
@@ -19,6 +20,12 @@ TextPlace advanced(TextPlace place, std::string_view text) {
 
 std::size_t skip_blanks(std::string_view text, std::size_t at) {
   while (at < text.size() && text::is_blank(text[at])) ++at;
+  return at;
+}
+
+// First byte from `at` on that begins a character.
+std::size_t skip_continuation(std::string_view text, std::size_t at) {
+  while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) ++at;
   return at;
 }
 
@@ -60,6 +67,27 @@ TextPlace TextIndex::place_at(std::string_view text, std::size_t offset) const {
   TextPlace place = advanced(block_places_[block], text.substr(start, offset - start));
   place.column = std::max<std::size_t>(place.column, 1);
   return place;
+}
+
+std::size_t TextIndex::offset_at(std::string_view text, TextPlace place) const {
+  const auto is_before = [](const TextPlace& p, const TextPlace& q) {
+    return std::tie(p.line, p.column) < std::tie(q.line, q.column);
+  };
+  const auto above = std::upper_bound(block_places_.begin(), block_places_.end(), place, is_before);
+  const auto block =
+      static_cast<std::size_t>(above - block_places_.begin()) - (above != block_places_.begin());
+  TextPlace at = block_places_.empty() ? TextPlace{} : block_places_[block];
+  std::size_t offset = block * kBlockBytes;
+  for (; at.line < place.line; at = {at.line + 1, 1}) {
+    offset = text.find('\n', offset);
+    if (offset == text.npos) return text.size();
+    ++offset;
+  }
+  offset = skip_continuation(text, offset);
+  for (; at.column < place.column && offset < text.size() && text[offset] != '\n'; ++at.column) {
+    offset = skip_continuation(text, offset + 1);
+  }
+  return offset;
 }
 
 TextPlace TextIndex::place(std::string_view text, std::size_t obstacle, ObstacleField field) const {

@@ -41,6 +41,10 @@ class TextIndex {
   /// Line and column of a byte offset. A line ends at LF; a UTF-8 byte order mark takes no column.
   TextPlace place_at(std::string_view text, std::size_t offset) const;
 
+  /// Byte offset of a line and column: the inverse of `place_at`. A column beyond its line's end is
+  /// the end of the line, a line beyond the text the end of the text.
+  std::size_t offset_at(std::string_view text, TextPlace place) const;
+
   static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
 
   // What the reader fills in.

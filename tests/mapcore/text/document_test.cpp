@@ -40,7 +40,17 @@ TEST(TextIndex, CountsLinesAndCodePoints) {
   for (std::size_t offset = 0; offset <= text.size(); offset += 1 + random.below(9)) {
     if ((static_cast<unsigned char>(text[offset]) & 0xC0U) == 0x80U) continue;
     ASSERT_EQ(index.place_at(text, offset), counted_place(text, offset)) << offset;
+    ASSERT_EQ(index.offset_at(text, counted_place(text, offset)), offset);
   }
+}
+
+TEST(TextIndex, FindsNoOffsetBeyondLineAndText) {
+  const std::string text = "ab\n\xC3\xA9\n";
+  const TextIndex index(text);
+  EXPECT_EQ(index.offset_at(text, {1, 9}), 2U);
+  EXPECT_EQ(index.offset_at(text, {2, 2}), 5U);
+  EXPECT_EQ(index.offset_at(text, {9, 1}), text.size());
+  EXPECT_EQ(TextIndex("").offset_at("", {1, 1}), 0U);
 }
 
 TEST(TextIndex, ByteOrderMarkTakesNoColumn) {
@@ -49,6 +59,8 @@ TEST(TextIndex, ByteOrderMarkTakesNoColumn) {
       "border;";
   EXPECT_EQ(TextIndex(text).place_at(text, 3), (TextPlace{1, 1}));
   EXPECT_EQ(TextIndex(text).place_at(text, 9), (TextPlace{1, 7}));
+  EXPECT_EQ(TextIndex(text).offset_at(text, {1, 1}), 3U);
+  EXPECT_EQ(TextIndex(text).offset_at(text, {1, 7}), 9U);
 }
 
 TEST(TextIndex, KnowsEveryField) {
