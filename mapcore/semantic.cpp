@@ -21,18 +21,26 @@ std::optional<KeyValue> key_value(std::string_view token) {
   return KeyValue{trimmed(token.substr(0, equals)), trimmed(token.substr(equals + 1))};
 }
 
+// Calls `visit(token)` for each token between the commas, trimmed, until it returns false.
+template <class Visit>
+void for_each_token(std::string_view text, const Visit& visit) {
+  if (text.empty()) return;
+  while (true) {
+    const auto comma = text.find(',');
+    if (!visit(trimmed(text.substr(0, comma))) || comma == std::string_view::npos) return;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string_view> Semantic::tokens() const {
   std::vector<std::string_view> found;
-  std::string_view rest = view();
-  if (rest.empty()) return found;
-  while (true) {
-    const auto comma = rest.find(',');
-    found.push_back(trimmed(rest.substr(0, comma)));
-    if (comma == std::string_view::npos) return found;
-    rest.remove_prefix(comma + 1);
-  }
+  for_each_token(view(), [&](std::string_view token) {
+    found.push_back(token);
+    return true;
+  });
+  return found;
 }
 
 std::vector<std::string_view> Semantic::labels() const {
@@ -42,17 +50,19 @@ std::vector<std::string_view> Semantic::labels() const {
 }
 
 std::optional<std::string_view> Semantic::value(std::string_view key) const {
-  for (const auto token : tokens()) {
-    if (const auto pair = key_value(token); pair && pair->key == key) return pair->value;
-  }
-  return std::nullopt;
+  if (view().find(key) == std::string_view::npos) return std::nullopt;  // most ask in vain
+  std::optional<std::string_view> found;
+  for_each_token(view(), [&](std::string_view token) {
+    if (const auto pair = key_value(token); pair && pair->key == key) found = pair->value;
+    return !found;
+  });
+  return found;
 }
 
 bool Semantic::has_label(std::string_view label) const {
-  for (const auto token : tokens()) {
-    if (token == label) return true;
-  }
-  return false;
+  bool found = false;
+  for_each_token(view(), [&](std::string_view token) { return !(found = token == label); });
+  return found;
 }
 
 Semantic Semantic::with_value(std::string_view key, std::string_view value) const {

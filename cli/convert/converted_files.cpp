@@ -31,8 +31,7 @@ ConvertedFiles::ConvertedFiles(const std::string& output, const std::string& rep
   if (!report.empty()) report_ = std::make_unique<TemporaryFile>(report);
 }
 
-std::vector<Finding> ConvertedFiles::write_map(const Map& map, double resolution_m,
-                                               Console& console) {
+std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Console& console) {
   std::string text;
   if (map_) {
     std::ofstream out(map_->path(), std::ios::binary);
@@ -44,6 +43,7 @@ std::vector<Finding> ConvertedFiles::write_map(const Map& map, double resolution
     text = format_map(map, {resolution_m});
     console.out() << text;
   }
+  map = {};  // before another one like it is read
   return validators::validate(read_map(std::move(text)));
 }
 

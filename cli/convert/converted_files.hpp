@@ -20,7 +20,7 @@ class ConvertedFiles {
   ConvertedFiles(const std::string& output, const std::string& report);
 
   /// Writes the map, reads the file back and returns what validation finds in it.
-  std::vector<Finding> write_map(const Map& map, double resolution_m, Console& console);
+  std::vector<Finding> write_map(Map map, double resolution_m, Console& console);
   void write_sidecar(const std::optional<Georeference>& georeference);
   void write_report(const converter::Ledger& ledger);
 

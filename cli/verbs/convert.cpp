@@ -52,12 +52,12 @@ class Convert : public Verb {
     }
     ConvertedFiles files(arguments_.output(), arguments_.report());
     options.progress = console.progress("converting");
-    const auto conversion = value_or_throw(converter::convert(options));
+    auto conversion = value_or_throw(converter::convert(options));
     report_conversion(conversion, console);
     files.write_report(conversion.ledger);
     files.commit_report();
     if (const auto refused = refusal(conversion, console)) return *refused;
-    return write(conversion, options.resolution_m, files, console);
+    return write(std::move(conversion), options.resolution_m, files, console);
   }
 
  private:
@@ -82,15 +82,16 @@ class Convert : public Verb {
     return std::nullopt;
   }
 
-  ExitStatus write(const converter::Conversion& conversion, double resolution_m,
-                   ConvertedFiles& files, Console& console) const {
-    const auto findings = files.write_map(conversion.map, resolution_m, console);
+  ExitStatus write(converter::Conversion conversion, double resolution_m, ConvertedFiles& files,
+                   Console& console) const {
+    const std::string size = std::to_string(conversion.map.obstacles.size()) + " obstacles, " +
+                             std::to_string(segment_count(conversion.map)) + " segments";
+    const auto findings = files.write_map(std::move(conversion.map), resolution_m, console);
     files.write_sidecar(conversion.georeference);
     files.commit_map();
     report_findings(console, arguments_.output(), findings);
-    console.note(arguments_.output() + ": " + std::to_string(conversion.map.obstacles.size()) +
-                 " obstacles, " + std::to_string(segment_count(conversion.map)) + " segments, " +
-                 std::to_string(findings.size()) + " findings");
+    console.note(arguments_.output() + ": " + size + ", " + std::to_string(findings.size()) +
+                 " findings");
     if (has_errors(findings)) {
       console.error(arguments_.output() + ": the map is written, but it is not valid");
       return ExitStatus::kNegative;

@@ -32,6 +32,8 @@ Rational cross(const RationalVector& u, const RationalVector& v) {
 }  // namespace
 
 Turn turn(Point a, Point b, Point p) {
+  // Points of chains are often the same one: no filter can tell a zero, so they would cost most.
+  if (a == b || b == p || p == a) return Turn::kStraight;
   return static_cast<Turn>(CGAL::orientation(to_cgal(a), to_cgal(b), to_cgal(p)));
 }
 
