@@ -7,9 +7,12 @@ namespace mapwright {
 
 std::string_view to_string(Severity severity) {
   switch (severity) {
-    case Severity::kNote: return "note";
-    case Severity::kWarning: return "warning";
-    case Severity::kError: return "error";
+    case Severity::kNote:
+      return "note";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kError:
+      return "error";
   }
   return "error";
 }
@@ -36,7 +39,7 @@ std::optional<FindingCode> finding_code(std::string_view id) {
 }
 
 Finding make_finding(FindingCode code, std::string message) {
-  return {code, finding_type(code).severity, std::move(message), {}, {}, {}, {}};
+  return {code, finding_type(code).severity, std::move(message), {}, {}, {}, {}, {}, {}, {}};
 }
 
 bool has_errors(const std::vector<Finding>& findings) {

@@ -45,6 +45,35 @@ struct TextPlace {
   friend bool operator==(const TextPlace&, const TextPlace&) = default;
 };
 
+/// What is wrong, as a GIS editor shows it: metres, map frame. Empty where `Finding::at` says it
+/// all or nothing has a place.
+struct DefectGeometry {
+  std::vector<Point> points;              ///< crossings, ends that do not meet
+  std::vector<std::vector<Point>> lines;  ///< segments, chains, gaps; two points or more each
+  std::vector<std::vector<Point>> areas;  ///< rings of three points or more, the first not repeated
+
+  bool empty() const { return points.empty() && lines.empty() && areas.empty(); }
+  friend bool operator==(const DefectGeometry&, const DefectGeometry&) = default;
+};
+
+/// Puts `replacement` in the place of the text from `begin` up to but not including `end`; inserts
+/// it where they are equal.
+struct TextEdit {
+  TextPlace begin, end;
+  std::string replacement;
+
+  friend bool operator==(const TextEdit&, const TextEdit&) = default;
+};
+
+/// A feature of a GIS source, as the ledger of `convert` names it.
+struct GisFeature {
+  std::string source;  ///< path as the ledger has it
+  std::string layer;
+  std::int64_t fid = 0;
+
+  friend bool operator==(const GisFeature&, const GisFeature&) = default;
+};
+
 /// One defect. Only what is known is set.
 struct Finding {
   FindingCode code;
@@ -54,6 +83,12 @@ struct Finding {
   std::optional<Point> at;               ///< metres, map frame
   std::optional<std::int64_t> obstacle;  ///< id of the obstacle to blame
   std::optional<std::size_t> segment;    ///< 1-based number of the segment within that obstacle
+  DefectGeometry geometry = {};
+  /// A proven repair: edits that do not overlap, in the order of the text. After all of them this
+  /// finding is gone and no new one has come (tests hold every fixture to it). Empty: none is
+  /// known.
+  std::vector<TextEdit> fix = {};
+  std::vector<GisFeature> features = {};  ///< of which the obstacle was made, where that is known
 
   friend bool operator==(const Finding&, const Finding&) = default;
 };

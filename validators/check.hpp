@@ -70,15 +70,22 @@ class FindingSink {
 
   void border(FindingCode code, std::string message);
 
-  /// About the obstacle at position `obstacle`; stands at its first point.
+  /// About the obstacle at position `obstacle`; stands at its first point and shows all of it.
   void obstacle(FindingCode code, std::size_t obstacle, ObstacleField field, std::string message);
 
-  /// About a segment (0-based); `at` is where on the map.
+  /// About a segment (0-based); `at` is where on the map. Shows the segment, and `at` where that is
+  /// not its beginning.
   void segment(FindingCode code, std::size_t obstacle, std::size_t segment, SegmentField field,
                Point at, std::string message);
 
   /// About a segment as a whole; stands at its first point.
   void segment(FindingCode code, std::size_t obstacle, std::size_t segment, std::string message);
+
+  /// What the last finding shows; checks that know better than the defaults change it.
+  DefectGeometry& geometry() { return findings_.back().geometry; }
+
+  /// Gives the last finding a proven repair.
+  void fix(TextEdit edit) { findings_.back().fix.push_back(std::move(edit)); }
 
   /// Gives the last finding another severity than the catalogue's.
   void soften(Severity severity) { findings_.back().severity = severity; }

@@ -1,3 +1,4 @@
+#include "mapcore/defect_geometry.hpp"
 #include "validators/check.hpp"
 
 namespace mapwright::validators {
@@ -7,6 +8,7 @@ void FindingSink::border(FindingCode code, std::string message) {
   const Border& border = document_.map.border;
   finding.place = document_.index.border_place(document_.text);
   finding.at = Point{border.left, border.top};
+  finding.geometry = geometry_of(border);
   findings_.push_back(std::move(finding));
 }
 
@@ -17,6 +19,7 @@ void FindingSink::obstacle(FindingCode code, std::size_t obstacle, ObstacleField
   finding.place = document_.index.place(document_.text, obstacle, field);
   if (!subject.segments.empty()) finding.at = subject.segments.front().a;
   finding.obstacle = subject.id;
+  finding.geometry = geometry_of(subject);
   findings_.push_back(std::move(finding));
 }
 
@@ -25,7 +28,10 @@ void FindingSink::segment(FindingCode code, std::size_t obstacle, std::size_t se
   Finding finding = make_finding(code, std::move(message));
   finding.place = document_.index.place(document_.text, obstacle, segment, field);
   finding.at = at;
+  const Segment& shown = document_.map.obstacles[obstacle].segments[segment];
   finding.obstacle = document_.map.obstacles[obstacle].id;
+  finding.geometry = geometry_of(shown);
+  if (at != shown.a) finding.geometry.points.push_back(at);
   finding.segment = segment + 1;
   findings_.push_back(std::move(finding));
 }

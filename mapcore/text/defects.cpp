@@ -20,18 +20,36 @@ std::string replaced(std::string_view text, std::string_view what, std::string_v
   return result;
 }
 
-// "1,5" → write 1.5.
-std::string decimal_comma_advice(std::string_view text) {
+// "1,5" with a decimal comma; empty for other texts.
+std::string with_decimal_point(std::string_view text) {
   const std::string pointed = replaced(text, ",", ".");
-  if (pointed == text || !is_number(pointed)) return {};
+  return pointed != text && is_number(pointed) ? pointed : "";
+}
+
+// U+2212, the minus sign of word processors, as the hyphen of programs; empty for other texts.
+std::string with_hyphen(std::string_view text) {
+  const std::string hyphenated = replaced(text, "\xE2\x88\x92", "-");
+  return hyphenated != text && is_number(hyphenated) ? hyphenated : "";
+}
+
+std::string decimal_comma_advice(std::string_view text) {
+  const std::string pointed = with_decimal_point(text);
+  if (pointed.empty()) return {};
   return quoted(text) + " has a decimal comma; write " + pointed;
 }
 
-// U+2212, the minus sign of word processors.
 std::string minus_sign_advice(std::string_view text) {
-  const std::string hyphenated = replaced(text, "\xE2\x88\x92", "-");
-  if (hyphenated == text || !is_number(hyphenated)) return {};
+  const std::string hyphenated = with_hyphen(text);
+  if (hyphenated.empty()) return {};
   return quoted(text) + " has the character U+2212 for its minus sign; write " + hyphenated;
+}
+
+// What is certainly meant; "5 m" may be five of something else.
+std::optional<std::string> meant(std::string_view text) {
+  for (const auto correct : {with_decimal_point, with_hyphen}) {
+    if (std::string number = correct(text); !number.empty()) return number;
+  }
+  return std::nullopt;
 }
 
 // "4.53 12.10" or "5 m".
@@ -83,7 +101,7 @@ std::string Subject::name() const {
 }
 
 void Defects::add(FindingCode code, std::size_t offset, std::string message) {
-  defects_.push_back({offset, make_finding(code, std::move(message))});
+  defects_.push_back({offset, make_finding(code, std::move(message)), {}});
 }
 
 void Defects::add(FindingCode code, std::size_t offset, const Subject& subject,
@@ -91,7 +109,15 @@ void Defects::add(FindingCode code, std::size_t offset, const Subject& subject,
   Finding finding = make_finding(code, subject.name() + ": " + std::string(message));
   finding.obstacle = subject.obstacle;
   finding.segment = subject.segment;
-  defects_.push_back({offset, std::move(finding)});
+  defects_.push_back({offset, std::move(finding), {}});
+}
+
+void Defects::fix(std::size_t begin, std::size_t end, std::string replacement) {
+  defects_.back().fix = OffsetEdit{begin, end, std::move(replacement)};
+}
+
+void Defects::show(DefectGeometry geometry) {
+  defects_.back().finding.geometry = std::move(geometry);
 }
 
 std::vector<Finding> Defects::findings(std::string_view text, const TextIndex& index) && {
@@ -101,6 +127,10 @@ std::vector<Finding> Defects::findings(std::string_view text, const TextIndex& i
   findings.reserve(defects_.size());
   for (auto& defect : defects_) {
     defect.finding.place = index.place_at(text, defect.offset);
+    if (auto& fix = defect.fix) {
+      defect.finding.fix.push_back({index.place_at(text, fix->begin),
+                                    index.place_at(text, fix->end), std::move(fix->replacement)});
+    }
     findings.push_back(std::move(defect.finding));
   }
   return findings;
@@ -116,7 +146,7 @@ NumberComplaint number_complaint(std::string_view field_name, std::string_view t
   if (status == NumberStatus::kOutOfRange) {
     return {FindingCode::F118, field + " " + quoted(text) + " is too large to hold"};
   }
-  return {FindingCode::F109, field + " " + advice(text)};
+  return {FindingCode::F109, field + " " + advice(text), meant(text)};
 }
 
 NumberComplaint integer_complaint(std::string_view field_name, std::string_view text,

@@ -34,13 +34,25 @@ class Defects {
   /// A message about a record: "<subject>: <message>".
   void add(FindingCode code, std::size_t offset, const Subject& subject, std::string_view message);
 
+  /// Gives the last message a proven repair: `replacement` instead of the bytes from `begin` up to
+  /// `end`.
+  void fix(std::size_t begin, std::size_t end, std::string replacement);
+
+  /// Gives the last message a shape on the map.
+  void show(DefectGeometry geometry);
+
   /// All of them with line and column, in the order of the text.
   std::vector<Finding> findings(std::string_view text, const TextIndex& index) &&;
 
  private:
+  struct OffsetEdit {
+    std::size_t begin, end;
+    std::string replacement;
+  };
   struct Defect {
     std::size_t offset;
     Finding finding;
+    std::optional<OffsetEdit> fix;
   };
   std::vector<Defect> defects_;
 };
@@ -49,6 +61,7 @@ class Defects {
 struct NumberComplaint {
   FindingCode code;
   std::string message;
+  std::optional<std::string> meant = {};  ///< the number, where nothing else can be meant
 };
 NumberComplaint number_complaint(std::string_view field_name, std::string_view text,
                                  NumberStatus status);

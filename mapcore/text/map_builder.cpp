@@ -3,6 +3,9 @@
 #include <iterator>
 #include <utility>
 
+#include "mapcore/defect_geometry.hpp"
+#include "mapcore/text/characters.hpp"
+
 namespace mapwright::text {
 namespace {
 
@@ -39,7 +42,7 @@ void MapBuilder::obstacle(ObstacleHeader header) {
   close_obstacle();
   header_ = std::move(header);
   state_ = header_.id ? State::kInObstacle : State::kInLeftOut;
-  records_ = 0;
+  records_ = unreadable_ = 0;
   if (!header_.id) return;
   document_.index.obstacle_offsets.push_back(header_.offset);
   document_.index.first_segment.push_back(document_.index.segment_offsets.size());
@@ -53,6 +56,7 @@ void MapBuilder::segment_elsewhere(std::size_t offset) {
 
 void MapBuilder::unreadable_segment(std::size_t offset) {
   ++records_;
+  ++unreadable_;
   segment_elsewhere(offset);
 }
 
@@ -84,11 +88,19 @@ void MapBuilder::close_obstacle() {
 void MapBuilder::compare_segment_count() {
   const auto declared = header_.declared_segments;
   if (!declared || static_cast<std::uint64_t>(*declared) == records_) return;
+  const std::string_view text = document_.text;
   const std::string verb = records_ == 1 ? " follows" : " follow";
   defects_.add(FindingCode::F113, header_.declared_offset,
                {Subject::Kind::kObstacle, header_.id, {}},
                "declares " + counted(static_cast<std::size_t>(*declared), "segment") + " but " +
                    std::to_string(records_) + verb);
+  defects_.show(geometry_of(segments_));
+  // Records that could not be read may be more or fewer than they seem.
+  if (unreadable_ > 0) return;
+  const std::size_t begin = header_.declared_offset;
+  std::size_t end = begin;
+  while (end < text.size() && text[end] != ';' && text[end] != '#' && !is_blank(text[end])) ++end;
+  defects_.fix(begin, end, std::to_string(records_));
 }
 
 ShapeType MapBuilder::shape_type() {
@@ -102,6 +114,7 @@ ShapeType MapBuilder::shape_type() {
                  "there is no shape type " + header_.unknown_shape + ", only 1 to 6; read as " +
                      std::to_string(static_cast<int>(assumed)) +
                      (closes ? " (closed polygon)" : " (opened polygon)"));
+    defects_.show(geometry_of(document_.map.obstacles.back()));
   }
   return assumed;
 }

@@ -73,6 +73,7 @@ class MapBuilder {
   ObstacleHeader header_;
   std::vector<Segment> segments_;  ///< of the obstacle under way
   std::size_t records_ = 0;        ///< segment records since the header, readable or not
+  std::size_t unreadable_ = 0;     ///< of these
   std::optional<std::size_t> first_stray_segment_;
   std::size_t stray_segments_ = 0;
   bool border_is_known_ = false;

@@ -30,7 +30,10 @@ std::size_t RecordReader::read(std::size_t at) {
   const bool has_hash = hash != text_.npos;
   const std::size_t end = has_hash ? hash : text_.size();
   if (trimmed(text_.substr(at, end - at)).empty()) {
-    if (has_hash) defects_.add(FindingCode::F119, hash, "'#' closes nothing; remove it");
+    if (has_hash) {
+      defects_.add(FindingCode::F119, hash, "'#' closes nothing; remove it");
+      defects_.fix(hash, hash + 1, "");
+    }
     return has_hash ? end + 1 : end;
   }
   while (at < end) {
@@ -89,11 +92,13 @@ RecordReader::Opening RecordReader::keyword_opening(const Run& run, const Field&
   if (word != "border" && word != "obstacle") {
     defects_.add(FindingCode::F121, opening.offset,
                  "the keyword " + quoted(word) + " must be written in small letters");
+    defects_.fix(opening.offset, word_end, kind == Kind::kBorder ? "border" : "obstacle");
   }
   const bool is_alone = lead + word.size() == first.text.size();
   if (!is_alone) {
     defects_.add(FindingCode::F120, word_end,
                  "';' is missing behind the keyword " + std::string(word));
+    defects_.fix(word_end, word_end, ";");
   }
   opening.fields = is_alone ? first.next : word_end;
   opening.count = run.closed_fields - (is_alone && first.closed ? 1 : 0);
@@ -113,6 +118,7 @@ std::optional<RecordReader::Opening> RecordReader::misspelt_opening(const Run& r
   const std::string meant = is_obstacle ? "obstacle" : "border";
   defects_.add(FindingCode::F121, first.offset,
                "there is no keyword " + quoted(first.text) + "; read as " + meant);
+  defects_.fix(first.offset, first.offset + first.text.size(), meant);
   return Opening{is_obstacle ? Kind::kObstacle : Kind::kBorder, first.offset, first.next,
                  kHeaderFields, run.tail};
 }
@@ -142,8 +148,9 @@ void RecordReader::read_run(const Run& run) {
     read_unfinished(run, opening);
   } else if (has_tail && are_records(opening, run.end, fields)) {
     read_sequence(opening, run.end, fields);
-    defects_.add(FindingCode::F120, opening.tail.offset + opening.tail.text.size(),
-                 "';' is missing before '#'");
+    const std::size_t tail_end = opening.tail.offset + opening.tail.text.size();
+    defects_.add(FindingCode::F120, tail_end, "';' is missing before '#'");
+    defects_.fix(tail_end, tail_end, ";");
   } else {
     read_miscounted(run, opening);
     if (!is_closed(run)) report_missing_end(run.end);
@@ -311,6 +318,7 @@ bool RecordReader::is_closed(const Run& run) const {
 
 void RecordReader::report_missing_end(std::size_t at) {
   defects_.add(FindingCode::F107, at, "'#' is missing here, behind the last field of a record");
+  defects_.fix(at, at, "#");
 }
 
 void RecordReader::report_stray(const Field& field) {

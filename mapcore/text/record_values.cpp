@@ -24,8 +24,11 @@ std::optional<double> RecordValues::number(const Subject& subject, std::string_v
                                            const Field& field) {
   const auto [status, value] = read_number(field.text);
   if (status == NumberStatus::kOk) return value;
-  const auto [code, message] = number_complaint(name, field.text, status);
-  defects_.add(code, field.offset, subject, message);
+  const auto complaint = number_complaint(name, field.text, status);
+  defects_.add(complaint.code, field.offset, subject, complaint.message);
+  if (complaint.meant) {
+    defects_.fix(field.offset, field.offset + field.text.size(), *complaint.meant);
+  }
   return std::nullopt;
 }
 
@@ -34,8 +37,8 @@ std::optional<std::int64_t> RecordValues::integer(const Subject& subject, std::s
                                                   std::string_view consequence) {
   const auto [status, value] = read_integer(field.text);
   if (status == NumberStatus::kOk) return value;
-  const auto [code, message] = integer_complaint(name, field.text, status);
-  defects_.add(code, field.offset, subject, message + std::string(consequence));
+  const auto complaint = integer_complaint(name, field.text, status);
+  defects_.add(complaint.code, field.offset, subject, complaint.message + std::string(consequence));
   return std::nullopt;
 }
 
@@ -98,7 +101,9 @@ Semantic RecordValues::semantic(const Subject& subject, const Field& field) {
   defects_.add(FindingCode::F122, field.offset, subject,
                "the semantic string " + quoted(field.text) +
                    " has a line break within; write it on one line");
-  return semantics_.get(without_line_breaks(field.text));
+  const std::string joined = without_line_breaks(field.text);
+  defects_.fix(field.offset, field.offset + field.text.size(), joined);
+  return semantics_.get(joined);
 }
 
 std::optional<Segment> RecordValues::segment(const Subject& subject,

@@ -19,6 +19,7 @@ void check_obstacle(const Obstacle& obstacle, std::size_t i, FindingSink& sink) 
                      metres(distance(before.b, segment.a)) +
                      " m from where the one before it ends, " + place_text(before.b) +
                      "; join them, or make two obstacles of it");
+    sink.geometry() = {{before.b, segment.a}, {{before.a, before.b}, {segment.a, segment.b}}, {}};
   }
 }
 

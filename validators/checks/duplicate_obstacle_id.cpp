@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "mapcore/defect_geometry.hpp"
 #include "validators/check.hpp"
 #include "validators/wording.hpp"
 
@@ -31,6 +32,7 @@ void check_duplicate_obstacle_id(const CheckContext& context, FindingSink& sink)
                   "the id " + std::to_string(obstacles[i].id) +
                       " is taken by the obstacle in line " + std::to_string(place.line) +
                       "; give this one another");
+    append(sink.geometry(), geometry_of(obstacles[entry->second]));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <vector>
 
+#include "mapcore/defect_geometry.hpp"
 #include "validators/check.hpp"
 #include "validators/shape/each_of_kind.hpp"
 #include "validators/wording.hpp"
@@ -51,6 +52,7 @@ void check_obstacle(const Obstacle& obstacle, std::size_t i, FindingSink& sink) 
     sink.segment(FindingCode::G111, i, segment,
                  name_of(obstacle, segment) + " is segment " +
                      std::to_string(entries[k - 1].segment + 1) + " again; remove one of them");
+    append(sink.geometry(), geometry_of(obstacle.segments[entries[k - 1].segment]));
   }
 }
 

@@ -1,4 +1,5 @@
 #include "validators/check.hpp"
+#include "validators/repairs.hpp"
 
 namespace mapwright::validators {
 
@@ -13,6 +14,7 @@ void check_invalid_border(const CheckContext& context, FindingSink& sink) {
               "the border encloses no area; write the top-left corner first and "
               "the bottom-right one behind it, so that " +
                   where);
+  if (auto edit = ordered_border(context.document())) sink.fix(*std::move(edit));
 }
 
 }  // namespace mapwright::validators

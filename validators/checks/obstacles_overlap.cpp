@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "mapcore/defect_geometry.hpp"
 #include "validators/check.hpp"
 #include "validators/shape/reach.hpp"
 #include "validators/shape/solid.hpp"
@@ -64,6 +65,7 @@ class Overlaps {
       sink_.obstacle(FindingCode::G108, second, ObstacleField::kKeyword,
                      name_of(obstacles_[second]) + " covers the same ground as " +
                          name_of(obstacles_[first]) + "; remove one of them");
+      append(sink_.geometry(), geometry_of(obstacles_[first]));
     }
   }
 
@@ -104,6 +106,7 @@ class Overlaps {
                                           " at " + place_text(reach.piece.from);
     sink_.segment(FindingCode::G108, blamed, reach.segment, SegmentField::kAx, reach.piece.from,
                   message + std::string(kAdvice));
+    show(reach.piece.from, obstacles_[blamed].segments[reach.segment], cut);
   }
 
   // The earlier obstacle reaches into the later one, which is blamed.
@@ -114,11 +117,19 @@ class Overlaps {
       sink_.obstacle(FindingCode::G108, blamed, ObstacleField::kKeyword,
                      name_of(obstacles_[blamed]) + " lies around " + subject + " at " +
                          place_text(reach.piece.from) + std::string(kAdvice));
+      append(sink_.geometry(), geometry_of(obstacles_[other].segments[reach.segment]));
       return;
     }
     sink_.segment(FindingCode::G108, cut->obstacle, cut->edge, SegmentField::kAx, cut->at,
                   name_of(obstacles_[cut->obstacle], cut->edge) + " crosses " + subject + " at " +
                       place_text(cut->at) + std::string(kAdvice));
+    show(cut->at, obstacles_[other].segments[reach.segment], cut);
+  }
+
+  // A segment, and the edge it crosses.
+  void show(Point at, const Segment& segment, const std::optional<Cut>& cut) {
+    sink_.geometry() = {{at}, {{segment.a, segment.b}}, {}};
+    if (cut) append(sink_.geometry(), geometry_of(obstacles_[cut->obstacle].segments[cut->edge]));
   }
 
   static constexpr std::string_view kAdvice = "; move one of them, or make one obstacle of both";

@@ -124,6 +124,8 @@ void report(const Obstacle& obstacle, std::size_t i, const SelfMeeting& m, Findi
                name_of(obstacle, m.later) + verb(m.meeting.kind) + " segment " +
                    std::to_string(m.earlier + 1) + " at " + place_text(m.meeting.at) +
                    advice(m.meeting.kind));
+  const Segment &earlier = obstacle.segments[m.earlier], &later = obstacle.segments[m.later];
+  sink.geometry() = {{m.meeting.at}, {{earlier.a, earlier.b}, {later.a, later.b}}, {}};
 }
 
 // Where vertices meet, up to four pairs of segments share the point: told once.

@@ -1,4 +1,5 @@
 #include "validators/check.hpp"
+#include "validators/repairs.hpp"
 #include "validators/shape/each_of_kind.hpp"
 #include "validators/wording.hpp"
 
@@ -11,6 +12,7 @@ void check_stairs_steps_oppose(const CheckContext& context, FindingSink& sink) {
       sink.segment(FindingCode::T106, i, flight.steps[n],
                    name_of(stairs, flight.steps[n]) +
                        " is a step that faces the other way than most; swap its ends");
+      sink.fix(swapped_ends(context.document(), i, flight.steps[n]));
     }
   });
 }

@@ -1,4 +1,5 @@
 #include "validators/check.hpp"
+#include "validators/repairs.hpp"
 #include "validators/shape/each_of_kind.hpp"
 #include "validators/wording.hpp"
 
@@ -22,6 +23,7 @@ void check_stairs_top_not_reversed(const CheckContext& context, FindingSink& sin
     sink.segment(
         FindingCode::T103, i, *flight.top,
         name_of(stairs, *flight.top) + " closes the stairs but runs like the steps; swap its ends");
+    sink.fix(swapped_ends(context.document(), i, *flight.top));
   });
 }
 

@@ -1,3 +1,4 @@
+#include "mapcore/defect_geometry.hpp"
 #include "validators/check.hpp"
 #include "validators/wording.hpp"
 
@@ -16,6 +17,8 @@ void check_unclosed_shape(const CheckContext& context, FindingSink& sink) {
                      metres(distance(end, start)) + " m from its beginning, at " + place_text(end) +
                      " and not at " + place_text(start) +
                      "; join the ends, or make it an open shape");
+    sink.geometry() = geometry_of(segments);
+    sink.geometry().points = {start, end};
   }
 }
 

@@ -53,6 +53,7 @@ void add_missed_plans(const navcore::PlanningTrials& planning, std::vector<Findi
                                       std::to_string(pair.iterations) +
                                       " iterations; look for a narrow passage between them",
                                   pair.start));
+    findings.back().geometry = {{pair.start, pair.goal}, {{pair.start, pair.goal}}, {}};
   }
 }
 

@@ -20,6 +20,42 @@ std::string dumped(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+Json point_json(Point p) {
+  return {p.x, p.y};
+}
+
+Json points_json(const std::vector<Point>& points) {
+  Json json = Json::array();
+  for (const Point p : points) json.push_back(point_json(p));
+  return json;
+}
+
+Json lines_json(const std::vector<std::vector<Point>>& lines) {
+  Json json = Json::array();
+  for (const auto& line : lines) json.push_back(points_json(line));
+  return json;
+}
+
+Json geometry_json(const DefectGeometry& geometry) {
+  Json json = Json::object();
+  if (!geometry.points.empty()) json["points"] = points_json(geometry.points);
+  if (!geometry.lines.empty()) json["lines"] = lines_json(geometry.lines);
+  if (!geometry.areas.empty()) json["areas"] = lines_json(geometry.areas);
+  return json;
+}
+
+Json edit_json(const TextEdit& edit) {
+  return {{"line", edit.begin.line},
+          {"column", edit.begin.column},
+          {"end_line", edit.end.line},
+          {"end_column", edit.end.column},
+          {"replacement", edit.replacement}};
+}
+
+Json feature_json(const GisFeature& feature) {
+  return {{"source", feature.source}, {"layer", feature.layer}, {"fid", feature.fid}};
+}
+
 class JsonReport : public ReportWriter {
  public:
   JsonReport(std::ostream& out, const ReportOptions& options) : out_(out) {
@@ -66,6 +102,9 @@ std::string finding_json(const Finding& finding) {
   json["y"] = finding.at ? Json(finding.at->y) : Json(nullptr);
   json["obstacle"] = or_null(finding.obstacle);
   json["segment"] = or_null(finding.segment);
+  if (!finding.geometry.empty()) json["geometry"] = geometry_json(finding.geometry);
+  for (const auto& edit : finding.fix) json["fix"].push_back(edit_json(edit));
+  for (const auto& feature : finding.features) json["features"].push_back(feature_json(feature));
   return dumped(json);
 }
 
