@@ -50,16 +50,7 @@ void ConvertArguments::declare(po::options_description& options,
   add("bbox", po::value(&bbox_),
       "X1,Y1,X2,Y2 in metres of the map: features outside are dropped, those across the edge stay "
       "whole");
-  add("origin", po::value(&origin_),
-      "LAT,LON[,HEIGHT] in degrees (WGS 84) and metres, or X,Y[,HEIGHT] of --origin-crs (default: "
-      "the "
-      "centre of the sources)");
-  add("origin-crs", po::value(&options_.frame.origin_crs), "CRS of --origin, such as EPSG:25831");
-  add("heading", po::value(&heading_)->default_value("0"),
-      "degrees clockwise from north to the map's +y axis; true north, or the grid's north where "
-      "--origin-crs is projected");
-  add("frame", po::value(&frame_)->default_value("tmerc"),
-      "tmerc: transverse Mercator with scale 1 at the origin; enu: local tangent plane");
+  frame_.declare(options, "default: the centre of the sources");
   add("source-crs", po::value(&options_.source_crs), "CRS of sources that state none");
   add("local", po::bool_switch(&options_.local), "the sources' coordinates are metres of the map");
   add("swap-axes", po::bool_switch(&options_.swap_axes),
@@ -80,15 +71,7 @@ void ConvertArguments::declare(po::options_description& options,
 }
 
 void ConvertArguments::check_frame() {
-  auto& frame = options_.frame;
-  if (!origin_.empty()) frame.origin = parse_numbers("origin", origin_, 2, 3);
-  if (frame.origin.empty() && !frame.origin_crs.empty()) {
-    fail_usage("--origin-crs says in which CRS --origin is given: give --origin too");
-  }
-  frame.heading_deg = parse_number("heading", heading_);
-  const auto projection = frame_projection(frame_);
-  if (!projection) fail_usage("--frame: '" + frame_ + "' is neither tmerc nor enu");
-  frame.projection = *projection;
+  options_.frame = frame_.parse();
   if (options_.local && !options_.source_crs.empty()) {
     fail_usage("--local and --source-crs exclude each other");
   }

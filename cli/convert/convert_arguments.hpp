@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/support/frame_options.hpp"
 #include "converter/pipeline/convert.hpp"
 
 namespace mapwright::cli {
@@ -32,7 +33,8 @@ class ConvertArguments {
 
   converter::ConvertOptions options_;
   std::string output_, report_;
-  std::string rules_, origin_, heading_, frame_, bbox_, resolution_;
+  std::string rules_, bbox_, resolution_;
+  FrameArguments frame_;
   bool explain_rules_ = false;
   bool strict_ = false;
   bool no_repair_ = false;
