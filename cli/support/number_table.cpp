@@ -50,28 +50,37 @@ bool is_heading(const std::vector<std::string_view>& fields,
 
 class TableReader {
  public:
-  TableReader(const std::string& path, const std::vector<std::string>& columns)
-      : path_(display_path(path)), columns_(columns), positions_(columns.size()) {
-    std::iota(positions_.begin(), positions_.end(), std::size_t{0});
-  }
+  TableReader(const std::string& path, const std::vector<std::string>& columns,
+              const std::vector<std::string>& optional)
+      : path_(display_path(path)), columns_(columns), optional_(optional) {}
 
   void line(std::string_view text) {
     ++line_;
     text = trimmed(text);
     if (text.empty() || text.starts_with('#')) return;
     const auto fields = split(text, ',');
-    if (rows_.empty() && !has_heading_ && is_heading(fields, columns_)) {
-      heading(fields);
-    } else {
-      row(fields);
-    }
+    if (!positions_.empty()) return row(fields);
+    if (is_heading(fields, columns_)) return heading(fields);
+    if (fields.size() >= columns_.size() + optional_.size()) want_optional();
+    positions_.resize(columns_.size());
+    std::iota(positions_.begin(), positions_.end(), std::size_t{0});
+    row(fields);
   }
 
-  std::vector<std::vector<double>> take() { return std::move(rows_); }
+  NumberTable take() { return std::move(table_); }
 
  private:
+  void want_optional() {
+    table_.has_optional = !optional_.empty();
+    columns_.insert(columns_.end(), optional_.begin(), optional_.end());
+  }
+
   void heading(const std::vector<std::string_view>& fields) {
-    has_heading_ = true;
+    const auto is_named = [&](const std::string& column) {
+      return std::find(fields.begin(), fields.end(), column) != fields.end();
+    };
+    if (std::all_of(optional_.begin(), optional_.end(), is_named)) want_optional();
+    positions_.resize(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const auto found = std::find(fields.begin(), fields.end(), columns_[i]);
       if (found == fields.end()) fail(1, "no column '" + columns_[i] + "'");
@@ -93,7 +102,8 @@ class TableReader {
       }
       numbers.push_back(*number);
     }
-    rows_.push_back(std::move(numbers));
+    table_.rows.push_back(std::move(numbers));
+    table_.lines.push_back(line_);
   }
 
   [[noreturn]] void fail(std::size_t field, const std::string& what) const {
@@ -102,21 +112,26 @@ class TableReader {
   }
 
   std::string path_;
-  const std::vector<std::string>& columns_;
-  std::vector<std::size_t> positions_;
-  std::vector<std::vector<double>> rows_;
+  std::vector<std::string> columns_;
+  const std::vector<std::string>& optional_;
+  std::vector<std::size_t> positions_;  ///< of the columns; empty before the first line
+  NumberTable table_;
   std::size_t line_ = 0;
-  bool has_heading_ = false;
 };
 
 }  // namespace
 
 std::vector<std::vector<double>> read_number_table(const std::string& path,
                                                    const std::vector<std::string>& columns) {
+  return read_number_table(path, columns, {}).rows;
+}
+
+NumberTable read_number_table(const std::string& path, const std::vector<std::string>& columns,
+                              const std::vector<std::string>& optional) {
   const std::string text = read_file(path);
   std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
-  TableReader reader(path, columns);
+  TableReader reader(path, columns, optional);
   while (!rest.empty()) {
     const auto end = rest.find('\n');
     reader.line(rest.substr(0, end));

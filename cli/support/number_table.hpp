@@ -16,4 +16,15 @@ namespace mapwright::cli {
 std::vector<std::vector<double>> read_number_table(const std::string& path,
                                                    const std::vector<std::string>& columns);
 
+struct NumberTable {
+  std::vector<std::vector<double>> rows;
+  std::vector<std::size_t> lines;  ///< 1-based line of each row
+  bool has_optional = false;       ///< rows hold the optional columns too, behind the others
+};
+
+/// The same for tables that may have more columns: all of `optional`, or none. They are there if
+/// the first line names all of them or, in a table without such a line, if the first row has room.
+NumberTable read_number_table(const std::string& path, const std::vector<std::string>& columns,
+                              const std::vector<std::string>& optional);
+
 }  // namespace mapwright::cli
