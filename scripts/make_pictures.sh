@@ -43,3 +43,12 @@ done
 "$program" validate samples/broken/square_broken.txt --format json >"$scratch/findings.json" || true
 draw findings.png samples/broken/square_broken.txt --overlay "$scratch/findings.json" \
   --labels none --title 'Findings in a map edited by hand' 2>/dev/null
+
+# docs/cli.md: the HTML report, where there is a browser.
+if command -v chromium >/dev/null && command -v chromedriver >/dev/null; then
+  "$program" validate samples/broken/square_broken.txt --format html -o "$scratch/report.html" --quiet || true
+  for colours in light dark; do
+    python3 tests/browser/screenshot.py "$scratch/report.html" "$images/report_$colours.png" \
+      '#map=1&finding=3' "$colours"
+  done
+fi

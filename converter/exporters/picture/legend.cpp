@@ -91,7 +91,7 @@ void Legend::add(std::string text, std::function<void(Canvas&, const Box&)> draw
 
 void Legend::add_kind(ObstacleKind kind) {
   const KindStyle& style = kind_style(kind);
-  add(std::string(style.name),
+  add(std::string(to_string(kind)),
       [&style](Canvas& canvas, const Box& box) { draw_kind(canvas, box, style); });
 }
 
