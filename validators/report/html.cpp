@@ -96,6 +96,8 @@ class HtmlReport : public ReportWriter {
     for (const auto& finding : report.findings) codes_.insert(finding.code);
   }
 
+  bool needs_whole_text() const override { return true; }
+
   void finish() override {
     PageWords words;
     words.title = "mapwright " + verb_;

@@ -28,6 +28,9 @@ class Inspector {
       element('p', { text: row.message }),
       where ? element('p', { class: 'quiet', text: where }) : null,
       row.excerpt ? element('pre', { text: row.excerpt }) : null,
+      ...(row.fix ?? []).map((edit) => element('p', { text: `Repair: ${repairText(edit)}` })),
+      ...(row.features ?? []).map(({ source, layer, fid }) =>
+        element('p', { class: 'quiet', text: `made of feature ${fid} of layer ${layer} in ${source}` })),
       about?.page ? element('details', {}, [
         element('summary', { text: 'What it means and how to fix it' }),
         element('pre', { class: 'page', text: about.page }),
@@ -51,6 +54,13 @@ class Inspector {
         [element('dt', { text: name }), element('dd', { text: value === '' ? 'none' : String(value) })])),
     ]);
   }
+}
+
+function repairText({ line, column, end_line, end_column, replacement }) {
+  const place = `line ${line}, column ${column}`;
+  if (line === end_line && column === end_column) return `insert "${replacement}" at ${place}`;
+  const until = line === end_line ? `column ${end_column}` : `line ${end_line}, column ${end_column}`;
+  return replacement ? `write "${replacement}" from ${place} up to ${until}` : `remove from ${place} up to ${until}`;
 }
 
 function heightText(heights) {

@@ -82,7 +82,7 @@ function showLevel(name, shown) {
 function selectRow(row) {
   table.select(row);
   const obstacle = row.scene_obstacle ?? obstacleOf(row);
-  map.select({ obstacle, segment: row.segment, place: row.x === null ? null : [row.x, row.y] });
+  map.select({ obstacle, segment: row.segment, place: row.x === null ? null : [row.x, row.y], geometry: row.geometry });
   if (row.x !== null) map.flyToPlace(row.x, row.y);
   else if (obstacle !== null) map.flyToBox(map.scene.box(obstacle));
   inspector.showRow(row, page.codes);

@@ -125,7 +125,7 @@ class MapView {
     this.request();
   }
 
-  /** {obstacle, segment, place}, any of them missing; null for nothing. */
+  /** {obstacle, segment, place, geometry}, any of them missing; null for nothing. */
   select(what) {
     this.selected = what;
     this.request();
@@ -136,6 +136,7 @@ class MapView {
     context.setTransform(this.pixelRatio, 0, 0, this.pixelRatio, 0, 0);
     context.clearRect(0, 0, this.view.width, this.view.height);
     if (this.selected) this.drawSelected(context, this.selected);
+    if (this.selected?.geometry) this.drawGeometry(context, this.selected.geometry);
     this.pins.draw(context, this.view, this.pixelRatio, this.palette, this.rowIsShown);
     if (this.selected?.place) this.drawRing(context, ...this.selected.place);
     drawScaleBar(context, this.view, this.palette);
@@ -156,6 +157,22 @@ class MapView {
     context.stroke(path);
     context.lineWidth = 5;
     context.stroke(strong);
+  }
+
+  /** The defect itself: points, lines and areas, each a list of [x, y]. */
+  drawGeometry(context, { points = [], lines = [], areas = [] }) {
+    const path = new Path2D();
+    for (const line of [...lines, ...areas]) {
+      line.forEach(([x, y], k) => path[k ? 'lineTo' : 'moveTo'](this.view.screenX(x), this.view.screenY(y)));
+      if (areas.includes(line)) path.closePath();
+    }
+    for (const [x, y] of points) {
+      path.moveTo(this.view.screenX(x) + 5, this.view.screenY(y));
+      path.arc(this.view.screenX(x), this.view.screenY(y), 5, 0, 2 * Math.PI);
+    }
+    context.strokeStyle = this.palette.colour('map-selected');
+    context.lineWidth = 4;
+    context.stroke(path);
   }
 
   drawRing(context, x, y) {
