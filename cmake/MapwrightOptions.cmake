@@ -3,6 +3,8 @@ option(MAPWRIGHT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(MAPWRIGHT_BUILD_BENCHMARKS "Build the benchmarks" OFF)
 option(MAPWRIGHT_BUILD_FUZZERS "Build the libFuzzer targets (needs clang)" OFF)
 option(MAPWRIGHT_ASSERTIONS "Keep assert() in optimised builds" OFF)
+set(MAPWRIGHT_DOCS_URL "" CACHE STRING
+  "Where the folder docs is on the web, without a slash at its end; SARIF reports link to its pages")
 set(MAPWRIGHT_SANITIZE "" CACHE STRING "Sanitizers to compile with, for example address,undefined")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

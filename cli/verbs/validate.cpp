@@ -9,6 +9,7 @@
 #include "cli/support/map_reports.hpp"
 #include "cli/verb.hpp"
 #include "validators/check_pages.hpp"
+#include "validators/fingerprint.hpp"
 #include "validators/report/report.hpp"
 #include "validators/validator.hpp"
 
@@ -102,6 +103,7 @@ class Validate : public Verb {
       report.text = document.text;
       report.findings = validators::validate(document);
       if (auto finding = sidecar_finding(path)) report.findings.push_back(std::move(*finding));
+      report.names = validators::fingerprints(document, report.findings);
     } catch (const Error& error) {
       if (error.status() != ExitStatus::kInput) throw;
       console.error(error.what());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mapcore/finding.hpp"
+#include "validators/fingerprint.hpp"
 
 namespace mapwright::validators {
 
@@ -31,6 +32,7 @@ struct MapReport {
   std::optional<std::string> unreadable;     ///< why the map could not be read at all, or judged
   std::vector<ReportSection> sections = {};  ///< behind the findings; of an unreadable map none
   Interruption interruption = Interruption::kNone;  ///< with `unreadable`: it was read, but …
+  std::vector<Fingerprint> names = {};              ///< of the findings; empty: not known
 
   /// True if the map could be read and nothing of severity error was found.
   bool passes() const { return !unreadable && !has_errors(findings); }

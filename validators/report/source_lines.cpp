@@ -49,6 +49,28 @@ std::string_view SourceLines::line(std::size_t number) {
   return line;
 }
 
+std::size_t field_end(std::string_view line, std::size_t column) {
+  const auto rest = columns(line, column, column + kLongestExcerpt);
+  if (rest.empty()) return column;
+  const std::size_t bytes =
+      std::max<std::size_t>(1, std::min(rest.find_first_of(";#"), rest.size()));
+  return column +
+         static_cast<std::size_t>(std::count_if(
+             rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(bytes), begins_character));
+}
+
+std::string_view columns(std::string_view line, std::size_t begin, std::size_t end) {
+  const auto offset_of = [&](std::size_t column) {
+    std::size_t offset = 0;
+    for (; offset < line.size(); ++offset) {
+      if (begins_character(line[offset]) && --column == 0) break;
+    }
+    return offset;
+  };
+  const std::size_t first = offset_of(begin);
+  return line.substr(first, offset_of(end) - first);
+}
+
 std::string excerpt(std::string_view line, std::size_t column) {
   // A column is reached within as many characters, each of at most four bytes: no need to look at
   // the whole of a map that is written on one line.

@@ -24,6 +24,13 @@ class SourceLines {
   std::size_t offset_ = 0;
 };
 
+/// The column (from 1) behind the field that begins at `column`: of its ';' or '#', of the line's
+/// end, at most 100 characters on; the one behind it where a ';' or '#' stands at `column` itself.
+std::size_t field_end(std::string_view line, std::size_t column);
+
+/// The characters of a line from one column up to another.
+std::string_view columns(std::string_view line, std::size_t begin, std::size_t end);
+
 /// A line of text and a caret under one of its columns, indented by two blanks:
 ///
 ///   4.53;12.10;7.29;12.10;5;1;wall;#
