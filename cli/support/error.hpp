@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "cli/verb.hpp"
@@ -28,7 +29,7 @@ class Error : public std::runtime_error {
 template <class T>
 T value_or_throw(Result<T> result) {
   if (!result) throw Error(result.error());
-  return *std::move(result);
+  if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
 }  // namespace mapwright::cli

@@ -43,6 +43,11 @@ LayerInfo info_of(OGRLayer& layer) {
   return info;
 }
 
+// A table in which QGIS keeps how layers look: nothing that was drawn.
+bool holds_styles(OGRLayer& layer) {
+  return std::string_view(layer.GetName()) == "layer_styles" && layer.GetGeomType() == wkbNone;
+}
+
 // Files of a folder come in no order of their own.
 void sort_by_name(std::vector<OGRLayer*>& layers) {
   std::sort(layers.begin(), layers.end(),
@@ -140,7 +145,9 @@ Result<VectorSource> VectorSource::open(const std::string& path, const OpenOptio
   impl->opened = *std::move(opened);
   impl->warnings = std::move(impl->opened.warnings);
   impl->driver = impl->opened.dataset->GetDriverName();
-  for (auto* layer : impl->opened.dataset->GetLayers()) impl->handles.push_back(layer);
+  for (auto* layer : impl->opened.dataset->GetLayers()) {
+    if (!holds_styles(*layer)) impl->handles.push_back(layer);
+  }
   if (std::filesystem::is_directory(path)) sort_by_name(impl->handles);
   for (auto* layer : impl->handles) impl->layers.push_back(info_of(*layer));
   if (impl->layers.empty()) return input_failure(path + ": holds no vector layer");
