@@ -97,7 +97,7 @@ TEST_F(Template, IsDrawnInTheCrsAskedFor) {
   const auto* reference = dataset->GetLayerByName("walls")->GetSpatialRef();
   EXPECT_STREQ(reference->GetAuthorityCode(nullptr), "25831");
   OGREnvelope box;
-  dataset->GetLayerByName("border")->GetExtent(&box);
+  ASSERT_EQ(dataset->GetLayerByName("border")->GetExtent(&box), OGRERR_NONE);
   EXPECT_NEAR(0.5 * (box.MinX + box.MaxX), 425844.0, 50.0);
 }
 
