@@ -58,6 +58,8 @@ void ConvertArguments::declare(po::options_description& options,
   add("resolution", po::value(&resolution_)->default_value("0.001"),
       "metres that coordinates and heights are rounded to");
   add("report", po::value(&report_), "write the ledger: what became of every feature (JSON)");
+  add("watch", po::bool_switch(&watch_),
+      "convert and validate again whenever a source is saved, until interrupted");
   add("strict", po::bool_switch(&strict_), "a repair is an error: no map is written");
   add("no-repair", po::bool_switch(&no_repair_),
       "write outlines that cross themselves as they are drawn");
@@ -80,6 +82,9 @@ void ConvertArguments::check_frame() {
 void ConvertArguments::check(const po::variables_map&) {
   if (output_.empty() && !explain_rules_)
     fail_usage("-o MAP.txt is missing: where shall the map go?");
+  if (watch_ && (output_ == "-" || explain_rules_)) {
+    fail_usage("--watch needs a file to write: give -o MAP.txt");
+  }
   for (const auto& source : options_.sources) refuse_remote(source);
   check_frame();
   if (!bbox_.empty()) {
@@ -93,6 +98,13 @@ void ConvertArguments::check(const po::variables_map&) {
   }
   options_.repair = !no_repair_;
   options_.rules_are_guessed = rules_ == "auto";
+}
+
+std::vector<std::string> ConvertArguments::outputs() const {
+  std::vector<std::string> files;
+  if (!output_.empty() && output_ != "-") files = {output_, sidecar_path(output_)};
+  if (!report_.empty()) files.push_back(report_);
+  return files;
 }
 
 converter::ConvertOptions ConvertArguments::options() const {

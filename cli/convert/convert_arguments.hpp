@@ -26,6 +26,10 @@ class ConvertArguments {
   const std::string& report() const { return report_; }
   bool explains_rules() const { return explain_rules_; }
   bool is_strict() const { return strict_; }
+  bool watches() const { return watch_; }
+  /// Map, sidecar and ledger, as far as they are files.
+  std::vector<std::string> outputs() const;
+  const std::vector<std::string>& sources() const { return options_.sources; }
   bool keeps_broken() const { return options_.keep_broken; }
 
  private:
@@ -36,6 +40,7 @@ class ConvertArguments {
   std::string rules_, bbox_, resolution_;
   FrameArguments frame_;
   bool explain_rules_ = false;
+  bool watch_ = false;
   bool strict_ = false;
   bool no_repair_ = false;
 };

@@ -1,6 +1,7 @@
 #include "cli/convert/conversion_summary.hpp"
 #include "cli/convert/convert_arguments.hpp"
 #include "cli/convert/converted_files.hpp"
+#include "cli/convert/source_watch.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/findings_text.hpp"
 #include "cli/verb.hpp"
@@ -30,6 +31,7 @@ Examples:
   mapwright convert shp/ -o campus.txt --origin 425800,4582230 --origin-crs EPSG:25831 --heading -20
   mapwright convert plan.dxf -o hall.txt --local --rules hall.yaml
   mapwright convert --explain-rules campus.gpkg
+  mapwright convert site.gpkg -o site.txt --watch      (beside a GIS editor)
 )";
 
 class Convert : public Verb {
@@ -45,11 +47,30 @@ class Convert : public Verb {
   void configure(const po::variables_map& values) override { arguments_.check(values); }
 
   ExitStatus run(Console& console) override {
-    auto options = arguments_.options();
     if (arguments_.explains_rules()) {
-      console.out() << value_or_throw(converter::explain_rules(options));
+      console.out() << value_or_throw(converter::explain_rules(arguments_.options()));
       return ExitStatus::kSuccess;
     }
+    return arguments_.watches() ? watch(console) : convert_once(console);
+  }
+
+ private:
+  // Until the user interrupts: a drawing that cannot be converted now can be mended and saved.
+  [[noreturn]] ExitStatus watch(Console& console) {
+    SourceWatch sources(arguments_.sources(), arguments_.outputs());
+    while (true) {
+      try {
+        convert_once(console);
+      } catch (const Error& error) {
+        console.error(error.what());
+      }
+      console.note("watching for changes; Ctrl+C ends");
+      sources.wait_for_change();
+    }
+  }
+
+  ExitStatus convert_once(Console& console) const {
+    auto options = arguments_.options();
     ConvertedFiles files(arguments_.output(), arguments_.report());
     options.progress = console.progress("converting");
     auto conversion = value_or_throw(converter::convert(options));
@@ -60,7 +81,6 @@ class Convert : public Verb {
     return write(std::move(conversion), options.resolution_m, files, console);
   }
 
- private:
   // Why no map is written although the sources could be read.
   std::optional<ExitStatus> refusal(const converter::Conversion& conversion,
                                     Console& console) const {
