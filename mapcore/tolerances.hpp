@@ -36,6 +36,14 @@ inline constexpr double kGreatestStepTurn_deg = 10.0;
 /// Ramps steeper than this are walls or typing errors (degrees).
 inline constexpr double kSteepRamp_deg = 20.0;
 
+/// A robot stands beside an obstacle if there is at most this much room between them: nearer than
+/// this "at the bench" means nothing.
+inline constexpr double kBesidePlace_m = 1.0;
+
+/// What a robot sent to an obstacle keeps away from it beyond its radius: more than the exact
+/// planner's offset may lack.
+inline constexpr double kStandoff_m = 0.005;
+
 /// More than double arithmetic can be off by in a distance between points of a map. Proofs give it
 /// away on the safe side.
 inline constexpr double kArithmetic_m = 1.0e-9;

@@ -23,6 +23,8 @@ enum class RampPolicy {
 struct BlockingSegment {
   Point a, b;
   std::uint32_t obstacle = 0;  ///< position in Map::obstacles
+  /// Position in Obstacle::segments; nothing for the flanks of stairs, which the map does not list.
+  std::optional<std::uint32_t> segment = std::nullopt;
 };
 
 /// All that blocks: segments higher than 0; of stairs every step, the closing segment and the two

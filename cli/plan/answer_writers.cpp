@@ -39,11 +39,17 @@ void add_proofs(const navcore::PlanningResult& result, Json& json) {
   if (!result.barrier.empty()) json["barrier"] = edges_json(result.barrier);
 }
 
+// The point stands under `key`, as for places without a name.
+void add_place(const Place& place, const char* key, Json& json) {
+  json[key] = place.at ? point_json(*place.at) : Json(nullptr);
+  if (!place.name.empty()) json[std::string(key) + "_name"] = place.name;
+}
+
 Json answer_json(const PlanAnswer& answer, bool with_tree) {
   const auto& total = answer.route.total;
   Json json;
-  json["start"] = point_json(answer.query.start);
-  json["goal"] = point_json(answer.query.goal);
+  add_place(answer.query.start, "start", json);
+  add_place(answer.query.goal, "goal", json);
   json["solved"] = total.solved;
   json["path"] = path_json(total.path);
   json["length_m"] = total.solved ? Json(answer.length_m) : Json(nullptr);

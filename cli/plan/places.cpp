@@ -1,5 +1,6 @@
 #include "cli/plan/places.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -44,6 +45,26 @@ std::int64_t parse_id(const std::string& option, const std::string& text) {
   return id;
 }
 
+std::string quoted_list(const std::vector<std::string>& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
+  return list;
+}
+
+std::string unknown_name(const std::vector<navcore::NamedPlace>& places, const std::string& name) {
+  constexpr std::size_t kMostNames = 100;
+  std::string message = "the map has no place named '" + name + "'";
+  if (places.empty()) return message + ": none of its obstacles has a name; a point is x,y";
+  const auto similar = navcore::similar_names(places, name);
+  if (!similar.empty()) message += "; did you mean " + quoted_list(similar) + "?";
+  std::vector<std::string> names;
+  for (const auto& place : places) names.push_back(place.name);
+  const std::size_t more = names.size() - std::min(names.size(), kMostNames);
+  names.resize(names.size() - more);
+  message += "\nIts places: " + quoted_list(names);
+  return more == 0 ? message : message + " and " + std::to_string(more) + " more";
+}
+
 }  // namespace
 
 std::string place_text(Point p) {
@@ -84,9 +105,26 @@ std::optional<std::string> why_not_standing(const Map& map, const navcore::FreeS
          ", too near for " + robot;
 }
 
+std::string place_text(const Place& place) {
+  if (place.name.empty()) return place_text(*place.at);
+  const std::string name = "'" + place.name + "'";
+  return place.at ? name + " " + place_text(*place.at) : name;
+}
+
+Place parse_place(const std::string& option, const std::string& text) {
+  if (text.empty() || text.find(',') != text.npos) return {parse_point(option, text), {}};
+  return {std::nullopt, text};
+}
+
+const navcore::NamedPlace& find_place(const navcore::PlaceFinder& finder, const std::string& name) {
+  const navcore::NamedPlace* place = finder.find(name);
+  if (place == nullptr) fail_usage(unknown_name(finder.places(), name));
+  return *place;
+}
+
 ViaPlace parse_via(const std::string& option, const std::string& text) {
   constexpr std::string_view kRamp = "ramp:";
-  if (!text.starts_with(kRamp)) return {std::nullopt, parse_point(option, text)};
+  if (!text.starts_with(kRamp)) return {std::nullopt, parse_place(option, text)};
   return {parse_id(option, text.substr(kRamp.size())), {}};
 }
 

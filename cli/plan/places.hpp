@@ -7,6 +7,7 @@
 
 #include "mapcore/map.hpp"
 #include "navcore/free_space.hpp"
+#include "navcore/named_places.hpp"
 
 namespace mapwright::cli {
 
@@ -22,13 +23,33 @@ std::string obstacle_text(const Obstacle& obstacle);
 std::optional<std::string> why_not_standing(const Map& map, const navcore::FreeSpace& space,
                                             Point p, double radius_m, const std::string& what);
 
-/// A place the path must pass: a point, or somewhere on the ramp with an id.
-struct ViaPlace {
-  std::optional<std::int64_t> ramp;
-  Point at;
+/// A place as it is asked for: a point, or the name of a place of the map (its point is found when
+/// the map is there, and stays away where the robot has no room beside it).
+struct Place {
+  std::optional<Point> at;
+  std::string name;  ///< empty for a point
 };
 
-/// "x,y" or "ramp:ID". Throws Error (kUsage).
+struct StartAndGoal {
+  Place start, goal;
+};
+
+/// "(1.5, -2)", or "'Library' (1.5, -2)".
+std::string place_text(const Place& place);
+
+/// "x,y" or a name, which has no comma. Throws Error (kUsage).
+Place parse_place(const std::string& option, const std::string& text);
+
+/// The place of that name. Throws Error (kUsage) that lists similar names, or all.
+const navcore::NamedPlace& find_place(const navcore::PlaceFinder& finder, const std::string& name);
+
+/// A place the path must pass: a place, or somewhere on the ramp with an id.
+struct ViaPlace {
+  std::optional<std::int64_t> ramp;
+  Place place;
+};
+
+/// "x,y", a name or "ramp:ID". Throws Error (kUsage).
 ViaPlace parse_via(const std::string& option, const std::string& text);
 
 }  // namespace mapwright::cli

@@ -27,7 +27,7 @@ const Obstacle& find_ramp(const Map& map, std::int64_t id) {
 }  // namespace
 
 PlanSolver::PlanSolver(const Map& map, const PlanSettings& settings)
-    : map_(map), settings_(settings), space_(map, settings.ramps) {
+    : map_(map), settings_(settings), space_(map, settings.ramps), finder_(map, space_) {
   planner_ = find_planner(settings.planner)
                  .make({map_, space_, settings.ramps, settings.radius_m, settings.rrt});
   via_ = resolved_via();
@@ -37,18 +37,36 @@ PlanSolver::PlanSolver(const Map& map, const PlanSettings& settings)
 std::vector<Point> PlanSolver::resolved_via() const {
   std::vector<Point> points;
   for (const auto& via : settings_.via) {
-    if (!via.ramp) {
-      points.push_back(via.at);
-      continue;
-    }
-    const auto p = point_on_ramp(space_, find_ramp(map_, *via.ramp), settings_.radius_m);
+    const auto p = via.ramp ? point_on_ramp(space_, find_ramp(map_, *via.ramp), settings_.radius_m)
+                            : located(via.place).at;
     if (!p) {
       throw Error(ExitStatus::kNegative,
-                  "nowhere on ramp " + std::to_string(*via.ramp) + " is room for the robot");
+                  via.ramp
+                      ? "nowhere on ramp " + std::to_string(*via.ramp) + " is room for the robot"
+                      : "there is no room for the robot beside " + place_text(via.place));
     }
     points.push_back(*p);
   }
   return points;
+}
+
+bool PlanSolver::is_in_largest_area(Point p) const {
+  std::call_once(areas_made_, [this] {
+    auto areas = navcore::TravelAreas::build(map_, settings_.radius_m, settings_.ramps);
+    if (areas) areas_ = *std::move(areas);
+  });
+  return areas_ && areas_->area_at(p) == std::size_t{0};
+}
+
+Place PlanSolver::located(const Place& place) const {
+  if (place.name.empty()) return place;
+  const auto is_preferred = [this](Point p) { return is_in_largest_area(p); };
+  return {finder_.standing_point(find_place(finder_, place.name), settings_.radius_m, is_preferred),
+          place.name};
+}
+
+StartAndGoal PlanSolver::located(const StartAndGoal& query) const {
+  return {located(query.start), located(query.goal)};
 }
 
 std::vector<Point> PlanSolver::resolved_ramps() const {
@@ -64,8 +82,13 @@ std::optional<std::string> PlanSolver::why_not_standing(const StartAndGoal& quer
   const auto why = [&](Point p, const char* what) {
     return cli::why_not_standing(map_, space_, p, settings_.radius_m, what);
   };
-  if (auto reason = why(query.start, "start")) return reason;
-  if (auto reason = why(query.goal, "goal")) return reason;
+  const auto why_not_at = [&](const Place& place, const char* what) -> std::optional<std::string> {
+    if (place.at) return why(*place.at, what);
+    return std::string(what) + ": there is no room for the robot within 1 m of '" + place.name +
+           "'";
+  };
+  if (auto reason = why_not_at(query.start, "start")) return reason;
+  if (auto reason = why_not_at(query.goal, "goal")) return reason;
   for (const Point p : via_) {
     if (auto reason = why(p, "via-point")) return reason;
     if (!(space_.clearance_m(p) > 0.0)) {
@@ -82,9 +105,9 @@ PlanAnswer PlanSolver::answer(const StartAndGoal& query, std::size_t number) con
     answer.route.total.reachable = false;
     return answer;
   }
-  std::vector<Point> stops{query.start};
+  std::vector<Point> stops{*query.start.at};
   stops.insert(stops.end(), via_.begin(), via_.end());
-  stops.push_back(query.goal);
+  stops.push_back(*query.goal.at);
   const std::uint64_t seed = Random(settings_.seed, number)();
   answer.route =
       settings_.force_ramp ? shortest_over_a_ramp(stops, seed) : route_through(stops, seed);

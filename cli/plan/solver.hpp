@@ -9,6 +9,8 @@
 
 #include "cli/plan/places.hpp"
 #include "cli/support/planners.hpp"
+#include "navcore/exact/travel_areas.hpp"
+#include "navcore/named_places.hpp"
 #include "navcore/planning/route.hpp"
 #include "navcore/reachability/reachability_map.hpp"
 
@@ -25,10 +27,6 @@ struct PlanSettings {
   std::optional<navcore::SmoothingOptions> smoothing = navcore::SmoothingOptions{};
 };
 
-struct StartAndGoal {
-  Point start, goal;
-};
-
 struct PlanAnswer {
   StartAndGoal query;
   navcore::Route route;
@@ -43,7 +41,12 @@ class PlanSolver {
   /// `map` must outlive this. Throws Error (kUsage) for via-points that the map does not have.
   PlanSolver(const Map& map, const PlanSettings& settings);
 
-  /// Query number `number` (its random numbers depend on it).
+  /// The query with the points that stand for its named places: free ground beside them, in the
+  /// largest connected area where possible (PlaceFinder). Throws Error (kUsage) for names that the
+  /// map does not have. One thread at a time.
+  StartAndGoal located(const StartAndGoal& query) const;
+
+  /// Query number `number` (its random numbers depend on it); it must be located.
   PlanAnswer answer(const StartAndGoal& query, std::size_t number) const;
 
  private:
@@ -53,16 +56,21 @@ class PlanSolver {
   std::vector<Point> resolved_via() const;
   std::vector<Point> resolved_ramps() const;
   void explain_failure(const std::vector<Point>& stops, PlanAnswer& answer) const;
+  Place located(const Place& place) const;
+  bool is_in_largest_area(Point p) const;
   const navcore::ReachabilityMap& reachability() const;
 
   const Map& map_;
   PlanSettings settings_;
   navcore::FreeSpace space_;
+  navcore::PlaceFinder finder_;
   navcore::LegPlanner planner_;
   std::vector<Point> via_;
   std::vector<Point> ramps_;  // a point on each, where a path has to cross one
   mutable std::once_flag reachability_made_;
   mutable std::optional<navcore::ReachabilityMap> reachability_;
+  mutable std::once_flag areas_made_;
+  mutable std::optional<navcore::TravelAreas> areas_;  // nothing where they cannot be computed
 };
 
 }  // namespace mapwright::cli

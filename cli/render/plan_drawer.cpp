@@ -8,6 +8,7 @@ using converter::Colour;
 constexpr Colour kTree = Colour::from_hex(0x2F6FAE, 0.85);
 constexpr Colour kRaw = Colour::from_hex(0xD55E00);
 constexpr Colour kPath = Colour::from_hex(0xB0005A);
+constexpr Colour kShortest = Colour::from_hex(0x0B6E4F);
 constexpr Colour kStart = Colour::from_hex(0x00694D);
 constexpr Colour kBarrier = Colour::from_hex(0xE69F00);
 constexpr Colour kGoal = Colour::from_hex(0xB0005A);
@@ -56,6 +57,7 @@ void add_path(const Json& query, const char* key, const converter::Stroke& strok
 
 void add_place(const Json& xy, double radius_pt, Colour colour, const char* meaning,
                converter::Overlay& overlay) {
+  if (xy.is_null()) return;  // a named place without room for the robot
   const converter::OverlayDots rim{{point_of(xy)}, radius_pt + 1.0, Colour::from_hex(0xFFFFFF)};
   const converter::OverlayDots dot{{point_of(xy)}, radius_pt, colour};
   add_legend(overlay, dot, meaning);
@@ -65,11 +67,15 @@ void add_place(const Json& xy, double radius_pt, Colour colour, const char* mean
 }  // namespace
 
 void draw_plan(const Json& answer, converter::Overlay& overlay) {
+  // Another colour, so that the exact answer can be laid over that of a random planner.
+  const bool is_exact = answer.value("planner", "") == "exact";
+  const converter::Stroke stroke{is_exact ? kShortest : kPath, 2.0};
+  const char* meaning = is_exact ? "shortest path" : "path";
   for (const auto& query : answer.at("queries")) {
     add_tree(query, overlay);
     add_path(query, "raw_path", {kRaw, 1.2, {3.0, 2.0}}, "path as found", overlay);
     add_path(query, "path", {Colour::from_hex(0xFFFFFF, 0.8), 3.6}, nullptr, overlay);
-    add_path(query, "path", {kPath, 2.0}, "path", overlay);
+    add_path(query, "path", stroke, meaning, overlay);
     add_proofs(query, overlay);
     add_place(query.at("start"), 3.2, kStart, "start", overlay);
     add_place(query.at("goal"), 3.2, kGoal, "goal", overlay);

@@ -1,123 +1,37 @@
 #include "cli/support/number_table.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <numeric>
-#include <optional>
-#include <string_view>
 
-#include "cli/support/error.hpp"
-#include "cli/support/files.hpp"
-#include "cli/support/findings_text.hpp"
+#include "cli/support/text_table.hpp"
 
 namespace mapwright::cli {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto end = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, end)));
-    if (end == text.npos) return parts;
-    text.remove_prefix(end + 1);
+bool has_optional(const TextTable& table, std::size_t columns,
+                  const std::vector<std::string>& optional) {
+  if (optional.empty()) return false;
+  if (!table.has_heading()) {
+    return !table.rows().empty() && table.rows()[0].fields.size() >= columns + optional.size();
   }
-}
-
-std::optional<double> finite_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-// A number that no table can hold ("nan") is a bad row; a word is a heading.
-bool is_heading(const std::vector<std::string_view>& fields,
-                const std::vector<std::string>& columns) {
-  return std::any_of(fields.begin(), fields.end(), [&](std::string_view field) {
-    return std::find(columns.begin(), columns.end(), field) != columns.end();
+  return std::all_of(optional.begin(), optional.end(), [&](const std::string& column) {
+    return table.column(column).has_value();
   });
 }
 
-class TableReader {
- public:
-  TableReader(const std::string& path, const std::vector<std::string>& columns,
-              const std::vector<std::string>& optional)
-      : path_(display_path(path)), columns_(columns), optional_(optional) {}
-
-  void line(std::string_view text) {
-    ++line_;
-    text = trimmed(text);
-    if (text.empty() || text.starts_with('#')) return;
-    const auto fields = split(text, ',');
-    if (!positions_.empty()) return row(fields);
-    if (is_heading(fields, columns_)) return heading(fields);
-    if (fields.size() >= columns_.size() + optional_.size()) want_optional();
-    positions_.resize(columns_.size());
-    std::iota(positions_.begin(), positions_.end(), std::size_t{0});
-    row(fields);
+// Where the columns stand: by the heading, or in the order asked for.
+std::vector<std::size_t> positions_of(const TextTable& table,
+                                      const std::vector<std::string>& columns) {
+  std::vector<std::size_t> positions(columns.size());
+  std::iota(positions.begin(), positions.end(), std::size_t{0});
+  if (!table.has_heading()) return positions;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto column = table.column(columns[i]);
+    if (!column) table.fail(table.heading_line(), 0, "no column '" + columns[i] + "'");
+    positions[i] = *column;
   }
-
-  NumberTable take() { return std::move(table_); }
-
- private:
-  void want_optional() {
-    table_.has_optional = !optional_.empty();
-    columns_.insert(columns_.end(), optional_.begin(), optional_.end());
-  }
-
-  void heading(const std::vector<std::string_view>& fields) {
-    const auto is_named = [&](const std::string& column) {
-      return std::find(fields.begin(), fields.end(), column) != fields.end();
-    };
-    if (std::all_of(optional_.begin(), optional_.end(), is_named)) want_optional();
-    positions_.resize(columns_.size());
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const auto found = std::find(fields.begin(), fields.end(), columns_[i]);
-      if (found == fields.end()) fail(1, "no column '" + columns_[i] + "'");
-      positions_[i] = static_cast<std::size_t>(found - fields.begin());
-    }
-  }
-
-  void row(const std::vector<std::string_view>& fields) {
-    std::vector<double> numbers;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const std::size_t position = positions_[i];
-      if (position >= fields.size()) {
-        fail(fields.size(), "the row ends before '" + columns_[i] + "'");
-      }
-      const auto number = finite_number(fields[position]);
-      if (!number) {
-        fail(position + 1,
-             columns_[i] + ": '" + std::string(fields[position]) + "' is not a finite number");
-      }
-      numbers.push_back(*number);
-    }
-    table_.rows.push_back(std::move(numbers));
-    table_.lines.push_back(line_);
-  }
-
-  [[noreturn]] void fail(std::size_t field, const std::string& what) const {
-    throw Error(ExitStatus::kInput, path_ + ":" + std::to_string(line_) + ": field " +
-                                        std::to_string(field) + ": " + what);
-  }
-
-  std::string path_;
-  std::vector<std::string> columns_;
-  const std::vector<std::string>& optional_;
-  std::vector<std::size_t> positions_;  ///< of the columns; empty before the first line
-  NumberTable table_;
-  std::size_t line_ = 0;
-};
+  return positions;
+}
 
 }  // namespace
 
@@ -128,16 +42,21 @@ std::vector<std::vector<double>> read_number_table(const std::string& path,
 
 NumberTable read_number_table(const std::string& path, const std::vector<std::string>& columns,
                               const std::vector<std::string>& optional) {
-  const std::string text = read_file(path);
-  std::string_view rest = text;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
-  TableReader reader(path, columns, optional);
-  while (!rest.empty()) {
-    const auto end = rest.find('\n');
-    reader.line(rest.substr(0, end));
-    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+  const TextTable text(path, columns);
+  NumberTable table;
+  table.has_optional = has_optional(text, columns.size(), optional);
+  std::vector<std::string> all = columns;
+  if (table.has_optional) all.insert(all.end(), optional.begin(), optional.end());
+  const auto positions = positions_of(text, all);
+  for (const auto& row : text.rows()) {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      numbers.push_back(text.number(row, positions[i], all[i]));
+    }
+    table.rows.push_back(std::move(numbers));
+    table.lines.push_back(row.line);
   }
-  return reader.take();
+  return table;
 }
 
 }  // namespace mapwright::cli

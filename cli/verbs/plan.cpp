@@ -1,12 +1,12 @@
 #include <optional>
 
 #include "cli/plan/answer_writers.hpp"
+#include "cli/plan/query_file.hpp"
 #include "cli/plan/solver.hpp"
 #include "cli/support/arguments.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/support/number_options.hpp"
-#include "cli/support/number_table.hpp"
 #include "cli/support/planners.hpp"
 #include "cli/verb.hpp"
 #include "navcore/parallel.hpp"
@@ -22,6 +22,11 @@ Stairs always block; ramps are driven across like open ground unless --ramps say
 robot is a point, or a disc with --radius. The answer is a path that meets nothing over its whole
 length, its length, and how near it comes to an obstacle; or the reason why there is none.
 
+Start, goal and --via may be names: of a place, that is of obstacles whose semantic string holds
+name=NAME (docs/format.md). A bench or a building is itself solid, so the robot is sent to free
+ground beside it: as near as it fits, in front of the middle of its longest side if that is free,
+and where the largest connected area reaches it. The answer says which point was taken.
+
 A random planner that finds no path proves nothing: the answer says "proved" where the map was
 shown to have no way for the robot.
 
@@ -29,6 +34,7 @@ Examples:
   mapwright plan campus.txt --start 5,5 --goal 80,60
   mapwright plan campus.txt --start 5,5 --goal 80,60 --radius 0.3 --planner rrt --seed 7
   mapwright plan campus.txt --start 5,5 --goal 80,60 --via 40,20 --via ramp:12
+  mapwright plan campus.txt --start Library --goal "Bench 4" --planner exact --radius 0.3
   mapwright plan campus.txt --queries pairs.csv --format json > paths.json
   mapwright plan campus.txt --start 5,5 --goal 80,60 --with-tree --format json > plan.json
   mapwright render campus.txt -o plan.png --overlay plan.json
@@ -39,7 +45,7 @@ Exit status 1 if one of the queries has no answer.
 class Plan : public Verb {
  public:
   std::string_view synopsis() const override {
-    return "MAP (--start X,Y --goal X,Y | --queries FILE.csv) [OPTIONS]";
+    return "MAP (--start X,Y|NAME --goal X,Y|NAME | --queries FILE.csv) [OPTIONS]";
   }
   std::string_view description() const override { return kDescription; }
 
@@ -70,10 +76,12 @@ void Plan::declare(po::options_description& options,
   };
   auto add = options.add_options();
   add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
-  add("start", po::value<std::string>(), "where the robot is: x,y in metres");
-  add("goal", po::value<std::string>(), "where it is to go: x,y in metres");
+  add("start", po::value<std::string>(),
+      "where the robot is: x,y in metres, or the name of a place");
+  add("goal", po::value<std::string>(), "where it is to go: x,y in metres, or the name of a place");
   add("queries", po::value(&queries_path_),
-      "a CSV file of many queries, with the columns start_x,start_y,goal_x,goal_y in metres");
+      "a CSV file of many queries, with the columns start_x,start_y,goal_x,goal_y in metres, or "
+      "start,goal with names of places");
   add("planner", po::value(&settings_.planner)->default_value("balanced-rrt"),
       planner_help.c_str());
   add("radius", text("0"), "of the robot, a disc, in metres; 0 for a point");
@@ -81,7 +89,8 @@ void Plan::declare(po::options_description& options,
       "free: driven across like open ground; avoid: their footprints block; force: the path must "
       "cross one, the shortest way is taken");
   add("via", po::value<std::vector<std::string>>()->composing(),
-      "a place the path must pass, x,y in metres or ramp:ID; may be given several times, in order");
+      "a place the path must pass, x,y in metres, a name or ramp:ID; may be given several times, "
+      "in order");
   add("via-ramp", po::value<std::vector<std::string>>()->composing(),
       "id of a ramp the path must cross, after all --via places; may be given several times");
   add("seed", text("1"), "of the random numbers, a whole number");
@@ -139,9 +148,10 @@ void Plan::configure_queries(const po::variables_map& values) {
     }
     return;
   }
-  if (!start || !goal) fail_usage("needs --start X,Y and --goal X,Y, or --queries FILE.csv");
-  query_ = StartAndGoal{parse_point("start", values["start"].as<std::string>()),
-                        parse_point("goal", values["goal"].as<std::string>())};
+  if (!start || !goal)
+    fail_usage("needs --start X,Y and --goal X,Y (or names), or --queries FILE.csv");
+  query_ = StartAndGoal{parse_place("start", values["start"].as<std::string>()),
+                        parse_place("goal", values["goal"].as<std::string>())};
 }
 
 void Plan::configure_ramps(const std::string& word) {
@@ -168,13 +178,9 @@ ExitStatus Plan::run(Console& console) {
   const MapDocument document = read_sound_map_file(map_path_);
   std::vector<StartAndGoal> queries;
   if (query_) queries.push_back(*query_);
-  if (!queries_path_.empty()) {
-    const std::vector<std::string> columns{"start_x", "start_y", "goal_x", "goal_y"};
-    for (const auto& row : read_number_table(queries_path_, columns)) {
-      queries.push_back({{row[0], row[1]}, {row[2], row[3]}});
-    }
-  }
+  if (!queries_path_.empty()) queries = read_queries(queries_path_);
   const PlanSolver solver(document.map, settings_);
+  for (auto& query : queries) query = solver.located(query);
   std::vector<PlanAnswer> answers(queries.size());
   const auto solve = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) answers[i] = solver.answer(queries[i], i);

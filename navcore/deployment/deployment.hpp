@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mapcore/map.hpp"
+#include "navcore/deployment/cut_off_places.hpp"
 #include "navcore/deployment/localization_trials.hpp"
 #include "navcore/deployment/planning_trials.hpp"
-#include "navcore/reachability/reachability_map.hpp"
+#include "navcore/exact/travel_areas.hpp"
 
 namespace mapwright::navcore {
 
@@ -20,27 +22,29 @@ struct DeploymentSettings {
   std::size_t localization_trials = 10;  ///< 0: none
   ExperimentSettings localization;       ///< its robot radius is the one above
   std::uint64_t seed = 1;
-  unsigned threads = 1;                    ///< 0: one a core. The outcome does not depend on it
-  double reachability_resolution_m = 0.0;  ///< 0 chooses (ReachabilityOptions)
+  unsigned threads = 1;  ///< 0: one a core. The outcome does not depend on it
 };
 
 struct ReachabilityOutcome {
   double radius_m = 0.0;
-  std::vector<ReachableArea> areas;  ///< largest first
+  std::vector<TravelArea> areas;  ///< largest first
   double largest_fraction = 0.0;
-  double resolution_m = 0.0;
+  double resolution_m = 0.0;  ///< what the areas may lack along walls (ExactPlanner::offset_error)
+  std::vector<CutOffPlace> cut_off_places;  ///< in the order of the map
+  std::size_t places = 0;                   ///< named places of the map, all of them
 };
 
 /// What came of it. What was not run is absent.
 struct DeploymentOutcome {
+  std::string failure;  ///< why nothing could be run (ExactPlanner::build); empty where it could
   ReachabilityOutcome reachability;
   std::optional<PlanningTrials> planning;
   std::optional<LocalizationTrials> localization;
 };
 
-/// ReachabilityMap for the robot, planning between random places of the largest area, and global
-/// localization from random places. Nothing is planned or localized where the robot can stand
-/// nowhere. Requires robot_radius_m ≥ 0.
+/// The areas the robot can travel and the named places it cannot get to, planning between random
+/// places of the largest area, and global localization from random places. Nothing is planned or
+/// localized where the robot can stand nowhere. Requires robot_radius_m ≥ 0.
 DeploymentOutcome run_deployment(const Map& map, const DeploymentSettings& settings);
 
 }  // namespace mapwright::navcore

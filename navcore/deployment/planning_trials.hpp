@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "navcore/exact/travel_areas.hpp"
 #include "navcore/free_space.hpp"
 #include "navcore/planning/planner.hpp"
-#include "navcore/reachability/reachability_map.hpp"
 
 namespace mapwright::navcore {
 
@@ -32,8 +32,8 @@ struct PlanningTrials {
 };
 
 /// Balanced RRT between random pairs of places of the largest area. Pair i depends on the seed and
-/// on i alone. Pairs that are neither solved nor proved to be connected count as tried only.
-PlanningTrials run_planning_trials(const FreeSpace& space, const ReachabilityMap& reachability,
+/// on i alone. That there is a way between the two is proved, since they lie in one area.
+PlanningTrials run_planning_trials(const FreeSpace& space, const TravelAreas& areas,
                                    const PlanningTrialsSettings& settings, std::uint64_t seed);
 
 }  // namespace mapwright::navcore

@@ -24,20 +24,41 @@ constexpr int kMostTangents = 64;
 
 // A free space ready to be searched.
 struct SearchableSpace {
-  exact::Tessellation tessellation;
+  std::shared_ptr<const exact::Tessellation> tessellation;
   exact::CellMesh mesh;
   exact::CellLocator locator;
 
-  explicit SearchableSpace(exact::Tessellation space)
-      : tessellation(std::move(space)), mesh(tessellation), locator(mesh) {}
+  explicit SearchableSpace(std::shared_ptr<const exact::Tessellation> space)
+      : tessellation(std::move(space)), mesh(*tessellation), locator(mesh) {}
   SearchableSpace(const SearchableSpace&) = delete;
   SearchableSpace& operator=(const SearchableSpace&) = delete;
 };
 
-std::optional<Failure> why_not(const Map& map, const ExactOptions& options) {
-  if (!std::isfinite(options.radius_m) || options.radius_m < 0.0) {
-    return Failure{FailureKind::kUsage, "the robot's radius must be a number, 0 or greater"};
+// What the map is for a point robot: the same for all radii, and shared by their planners.
+struct Ground {
+  Border border;
+  exact::GridFrame frame;
+  std::vector<BlockingSegment> segments;  // by source of the lines
+  double snapping_mm = 0.0;
+  std::shared_ptr<const exact::Tessellation> space;
+
+  mutable std::once_flag widths_built;
+  mutable std::optional<exact::Widths> built_widths;
+
+  const exact::Widths& widths() const {
+    std::call_once(widths_built, [&] { built_widths.emplace(*space); });
+    return *built_widths;
   }
+  bool can_ask(Point p) const { return is_finite(p) && border.contains(p); }
+};
+
+std::optional<Failure> why_not(double radius_m) {
+  if (std::isfinite(radius_m) && radius_m >= 0.0) return std::nullopt;
+  return Failure{FailureKind::kUsage, "the robot's radius must be a number, 0 or greater"};
+}
+
+std::optional<Failure> why_not(const Map& map, const ExactOptions& options) {
+  if (auto failure = why_not(options.radius_m)) return failure;
   if (options.tangents_a_quadrant < 1 || options.tangents_a_quadrant > kMostTangents) {
     return Failure{FailureKind::kUsage, "a quarter circle needs 1 to 64 tangents"};
   }
@@ -107,25 +128,20 @@ ExactWorkspace::~ExactWorkspace() = default;
 
 struct ExactPlanner::Impl {
   ExactOptions options;
-  Border border;
-  exact::GridFrame frame;
-  std::vector<std::uint32_t> obstacle_of_source;
-  double snapping_mm = 0.0;
-  exact::Tessellation base;                      // for a point; empty where `space` is that
+  std::shared_ptr<const Ground> ground;
   std::unique_ptr<const SearchableSpace> space;  // for the robot
   mutable std::once_flag decisive_built;
   mutable std::unique_ptr<const SearchableSpace> decisive;  // closer to the truth; made on demand
 
-  mutable std::once_flag widths_built;
-  mutable std::optional<exact::Widths> widths;
   mutable std::mutex spare_mutex;
   mutable std::vector<ExactWorkspace> spare_workspaces;
 
+  Impl(const ExactOptions& robot, std::shared_ptr<const Ground> on);
+
   bool is_point() const { return options.radius_m == 0.0; }
   double radius_mm() const { return options.radius_m * 1e3; }
-  const exact::Tessellation& point_space() const { return is_point() ? space->tessellation : base; }
+  const exact::GridFrame& frame() const { return ground->frame; }
 
-  void build(const Map& map, const std::vector<BlockingSegment>& segments);
   std::unique_ptr<const SearchableSpace> offset(int tangents) const;
   const SearchableSpace& decisive_space() const;
   PlaceState state(Point p) const;
@@ -135,29 +151,24 @@ struct ExactPlanner::Impl {
   void prove_unreachable(const SearchableSpace& in, Point start, Point goal,
                          ExactAnswer& answer) const;
   std::optional<std::uint32_t> obstacle_of(std::uint32_t source) const;
+  std::optional<std::uint32_t> segment_of(std::uint32_t source) const;
   std::uint32_t source_of_edge(std::uint32_t edge) const;
   Point from_mm(Point p) const;
+  Bottleneck to_bottleneck(const exact::NarrowPlace& narrow) const;
   ExactWorkspace take_workspace() const;
   void give_back(ExactWorkspace workspace) const;
   BarrierSide to_side(const exact::Barrier& barrier, const exact::BarrierLeg& leg) const;
 };
 
-void ExactPlanner::Impl::build(const Map& map, const std::vector<BlockingSegment>& segments) {
-  auto tessellation =
-      exact::tessellate(map, options.ramps, frame, exact::map_lines(map, segments, frame));
-  snapping_mm = rounding_error_mm(segments, frame) + tessellation.work.displacement_mm;
-  for (const auto& segment : segments) obstacle_of_source.push_back(segment.obstacle);
-  if (is_point()) {
-    space = std::make_unique<SearchableSpace>(std::move(tessellation));
-    return;
-  }
-  base = std::move(tessellation);
-  space = offset(options.tangents_a_quadrant);
+ExactPlanner::Impl::Impl(const ExactOptions& robot, std::shared_ptr<const Ground> on)
+    : options(robot), ground(std::move(on)) {
+  space = is_point() ? std::make_unique<SearchableSpace>(ground->space)
+                     : offset(options.tangents_a_quadrant);
 }
 
 std::unique_ptr<const SearchableSpace> ExactPlanner::Impl::offset(int tangents) const {
-  return std::make_unique<SearchableSpace>(
-      exact::offset_free_space(base, {radius_mm(), tangents, snapping_mm}));
+  return std::make_unique<SearchableSpace>(std::make_shared<const exact::Tessellation>(
+      exact::offset_free_space(*ground->space, {radius_mm(), tangents, ground->snapping_mm})));
 }
 
 const SearchableSpace& ExactPlanner::Impl::decisive_space() const {
@@ -167,12 +178,12 @@ const SearchableSpace& ExactPlanner::Impl::decisive_space() const {
 }
 
 std::vector<std::uint32_t> ExactPlanner::Impl::cells_at(const SearchableSpace& in, Point p) const {
-  return in.locator.cells_at(frame.to_grid(p));
+  return in.locator.cells_at(frame().to_grid(p));
 }
 
 PlaceState ExactPlanner::Impl::state(Point p) const {
   if (!is_finite(p)) return PlaceState::kNotFinite;
-  if (!border.contains(p)) return PlaceState::kOutsideBorder;
+  if (!ground->border.contains(p)) return PlaceState::kOutsideBorder;
   if (!cells_at(*space, p).empty()) return PlaceState::kFree;
   if (is_point() || cells_at(decisive_space(), p).empty()) return PlaceState::kBlocked;
   return PlaceState::kFree;
@@ -181,11 +192,12 @@ PlaceState ExactPlanner::Impl::state(Point p) const {
 // A path on the grid, with the places asked for at its ends.
 bool ExactPlanner::Impl::find_path(const SearchableSpace& in, Point start, Point goal,
                                    exact::SearchSpace& search, ExactAnswer& answer) const {
-  const auto path = exact::find_shortest_path(in.mesh, frame.to_grid(start), frame.to_grid(goal),
-                                              cells_at(in, start), cells_at(in, goal), search);
+  const auto path =
+      exact::find_shortest_path(in.mesh, frame().to_grid(start), frame().to_grid(goal),
+                                cells_at(in, start), cells_at(in, goal), search);
   if (!path) return false;
   answer.verdict = Verdict::kReachable;
-  for (const GridPoint p : path->points) answer.path.push_back(frame.to_map(p));
+  for (const GridPoint p : path->points) answer.path.push_back(frame().to_map(p));
   if (answer.path.front() != start) answer.path.insert(answer.path.begin(), start);
   if (answer.path.back() != goal || answer.path.size() == 1) answer.path.push_back(goal);
   for (std::size_t i = 1; i < answer.path.size(); ++i) {
@@ -196,16 +208,36 @@ bool ExactPlanner::Impl::find_path(const SearchableSpace& in, Point start, Point
 
 std::optional<std::uint32_t> ExactPlanner::Impl::obstacle_of(std::uint32_t source) const {
   if (source == exact::kBorderSource) return std::nullopt;
-  return obstacle_of_source[source];
+  return ground->segments[source].obstacle;
+}
+
+std::optional<std::uint32_t> ExactPlanner::Impl::segment_of(std::uint32_t source) const {
+  if (source == exact::kBorderSource) return std::nullopt;
+  return ground->segments[source].segment;
 }
 
 std::uint32_t ExactPlanner::Impl::source_of_edge(std::uint32_t edge) const {
-  const exact::LineWork& work = point_space().work;
+  const exact::LineWork& work = ground->space->work;
   return work.pieces[work.edges[edge].first_piece].source;
 }
 
 Point ExactPlanner::Impl::from_mm(Point p) const {
-  return 1e-3 * p + frame.to_map({0, 0});
+  return 1e-3 * p + frame().to_map({0, 0});
+}
+
+Bottleneck ExactPlanner::Impl::to_bottleneck(const exact::NarrowPlace& narrow) const {
+  const std::uint32_t from = source_of_edge(narrow.edge_from), to = source_of_edge(narrow.edge_to);
+  Bottleneck bottleneck;
+  bottleneck.width_m = narrow.width_mm / 1e3;
+  bottleneck.at = from_mm(narrow.at);
+  bottleneck.from = from_mm(narrow.from);
+  bottleneck.to = from_mm(narrow.to);
+  bottleneck.obstacle_from = obstacle_of(from);
+  bottleneck.obstacle_to = obstacle_of(to);
+  bottleneck.segment_from = segment_of(from);
+  bottleneck.segment_to = segment_of(to);
+  bottleneck.is_end = narrow.is_end;
+  return bottleneck;
 }
 
 ExactWorkspace ExactPlanner::Impl::take_workspace() const {
@@ -224,15 +256,15 @@ void ExactPlanner::Impl::give_back(ExactWorkspace workspace) const {
 BarrierSide ExactPlanner::Impl::to_side(const exact::Barrier& barrier,
                                         const exact::BarrierLeg& leg) const {
   const auto obstacle = [&](std::uint32_t line) { return obstacle_of(barrier.lines[line].source); };
-  return {frame.to_map(leg.from), frame.to_map(leg.to), leg.is_gap(), obstacle(leg.line_from),
+  return {frame().to_map(leg.from), frame().to_map(leg.to), leg.is_gap(), obstacle(leg.line_from),
           obstacle(leg.line_to)};
 }
 
 void ExactPlanner::Impl::prove_unreachable(const SearchableSpace& in, Point start, Point goal,
                                            ExactAnswer& answer) const {
   const auto barrier =
-      exact::find_barrier(point_space(), in.tessellation, frame.to_grid(start), frame.to_grid(goal),
-                          static_cast<std::int64_t>(radius_mm()));
+      exact::find_barrier(*ground->space, *in.tessellation, frame().to_grid(start),
+                          frame().to_grid(goal), static_cast<std::int64_t>(radius_mm()));
   answer.verdict = barrier || is_point() ? Verdict::kUnreachable : Verdict::kUndecided;
   if (!barrier) return;
   for (const auto& leg : barrier->legs) answer.barrier.push_back(to_side(*barrier, leg));
@@ -245,16 +277,25 @@ ExactPlanner::~ExactPlanner() = default;
 
 Result<ExactPlanner> ExactPlanner::build(const Map& map, const ExactOptions& options) {
   if (auto failure = why_not(map, options)) return tl::unexpected(std::move(*failure));
-  auto impl = std::make_unique<Impl>();
-  impl->options = options;
-  impl->border = map.border;
-  impl->frame = exact::GridFrame(centre(map.border));
-  const auto segments = blocking_segments(map, options.ramps);
-  if (auto failure = why_not_on_grid(map, segments, impl->frame)) {
+  auto ground = std::make_shared<Ground>();
+  ground->border = map.border;
+  ground->frame = exact::GridFrame(centre(map.border));
+  ground->segments = blocking_segments(map, options.ramps);
+  if (auto failure = why_not_on_grid(map, ground->segments, ground->frame)) {
     return tl::unexpected(std::move(*failure));
   }
-  impl->build(map, segments);
-  return ExactPlanner(std::move(impl));
+  ground->space = std::make_shared<const exact::Tessellation>(exact::tessellate(
+      map, options.ramps, ground->frame, exact::map_lines(map, ground->segments, ground->frame)));
+  ground->snapping_mm =
+      rounding_error_mm(ground->segments, ground->frame) + ground->space->work.displacement_mm;
+  return ExactPlanner(std::make_unique<Impl>(options, std::move(ground)));
+}
+
+Result<ExactPlanner> ExactPlanner::with_radius(double radius_m) const {
+  if (auto failure = why_not(radius_m)) return tl::unexpected(std::move(*failure));
+  ExactOptions options = impl_->options;
+  options.radius_m = radius_m;
+  return ExactPlanner(std::make_unique<Impl>(options, impl_->ground));
 }
 
 PlaceState ExactPlanner::state(Point p) const {
@@ -284,40 +325,50 @@ ExactAnswer ExactPlanner::plan(Point start, Point goal, ExactWorkspace& workspac
 }
 
 std::optional<Bottleneck> ExactPlanner::bottleneck(Point a, Point b) const {
-  const auto can_hold = [&](Point p) { return is_finite(p) && impl_->border.contains(p); };
-  if (!can_hold(a) || !can_hold(b)) return std::nullopt;
-  std::call_once(impl_->widths_built, [&] { impl_->widths.emplace(impl_->point_space()); });
-  const auto narrow = impl_->widths->widest_way(impl_->frame.to_grid(a), impl_->frame.to_grid(b));
+  const Ground& ground = *impl_->ground;
+  if (!ground.can_ask(a) || !ground.can_ask(b)) return std::nullopt;
+  const auto narrow = ground.widths().widest_way(ground.frame.to_grid(a), ground.frame.to_grid(b));
   if (!narrow) return std::nullopt;
-  return Bottleneck{narrow->width_mm / 1e3,
-                    impl_->from_mm(narrow->at),
-                    impl_->from_mm(narrow->from),
-                    impl_->from_mm(narrow->to),
-                    impl_->obstacle_of(impl_->source_of_edge(narrow->edge_from)),
-                    impl_->obstacle_of(impl_->source_of_edge(narrow->edge_to)),
-                    narrow->is_end};
+  return impl_->to_bottleneck(*narrow);
+}
+
+std::optional<std::size_t> ExactPlanner::region_at(Point p, double radius_m) const {
+  const Ground& ground = *impl_->ground;
+  if (!ground.can_ask(p)) return std::nullopt;
+  return ground.widths().region_of(ground.frame.to_grid(p), 2e3 * radius_m);
 }
 
 std::vector<FreeComponent> ExactPlanner::components() const {
   const exact::CellMesh& mesh = impl_->space->mesh;
   std::vector<FreeComponent> components;
   for (const double area_m2 : mesh.component_areas_m2()) components.push_back({area_m2, {}});
+  std::vector<double> largest_m2(components.size(), -1.0);
   for (std::uint32_t cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto first = mesh.corners()[mesh.first_corner(cell)].point;
-    components[mesh.components()[cell]].somewhere = impl_->frame.to_map(first);
+    const std::uint32_t number = mesh.components()[cell];
+    Point sum;
+    for (std::uint32_t i = mesh.first_corner(cell); i < mesh.end_corner(cell); ++i) {
+      const Point corner = impl_->frame().to_map(mesh.corners()[i].point);
+      components[number].box.add(corner);
+      sum = sum + corner;
+    }
+    const double area_m2 = mesh.area_m2(cell);
+    if (area_m2 <= largest_m2[number]) continue;
+    largest_m2[number] = area_m2;
+    const double count = mesh.end_corner(cell) - mesh.first_corner(cell);
+    components[number].somewhere = (1.0 / count) * sum;
   }
   return components;
 }
 
 std::optional<std::size_t> ExactPlanner::component_at(Point p) const {
-  if (!is_finite(p) || !impl_->border.contains(p)) return std::nullopt;
+  if (!impl_->ground->can_ask(p)) return std::nullopt;
   const auto cells = impl_->cells_at(*impl_->space, p);
   if (cells.empty()) return std::nullopt;
   return impl_->space->mesh.components()[cells[0]];
 }
 
 double ExactPlanner::snapping_error_m() const {
-  return impl_->snapping_mm / 1e3;
+  return impl_->ground->snapping_mm / 1e3;
 }
 
 ExactPlanner::OffsetError ExactPlanner::offset_error() const {

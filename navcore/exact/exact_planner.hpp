@@ -68,6 +68,9 @@ struct Bottleneck {
   Point from, to;        ///< nearest points of the two obstacles that make the gap
   /// Positions of those in Map::obstacles; nothing for the border.
   std::optional<std::uint32_t> obstacle_from, obstacle_to;
+  /// Positions of their segments in Obstacle::segments; nothing for the border and the flanks of
+  /// stairs.
+  std::optional<std::uint32_t> segment_from, segment_to;
   /// Nowhere on the way is it narrower than at start or goal: `at` is that place, and `from` and
   /// `to` are both the point nearest to it.
   bool is_end = false;
@@ -76,7 +79,8 @@ struct Bottleneck {
 /// A connected part of the free space.
 struct FreeComponent {
   double area_m2 = 0.0;
-  Point somewhere;  ///< a point of it
+  Point somewhere;      ///< the middle of its largest convex cell
+  Box box = kEmptyBox;  ///< around all of it
 };
 
 /// Memory of a search, kept between queries; one per thread.
@@ -104,6 +108,11 @@ class ExactPlanner {
   /// Failures: a border without area or with numbers that are not finite, an obstacle more than
   /// 500 km from the border's centre, a radius that is negative or no number.
   static Result<ExactPlanner> build(const Map& map, const ExactOptions& options);
+
+  /// A planner for another radius. It shares what does not depend on the radius, so it costs only
+  /// the offset. Failures: a radius that is negative or no number.
+  Result<ExactPlanner> with_radius(double radius_m) const;
+
   ExactPlanner(ExactPlanner&&) noexcept;
   ExactPlanner& operator=(ExactPlanner&&) noexcept;
   ~ExactPlanner();
@@ -116,6 +125,13 @@ class ExactPlanner {
   /// the planner's radius. Nothing where a place lies on an outline, or no disc travels, however
   /// small. The first call builds the medial axis of the map; later ones take logarithmic time.
   std::optional<Bottleneck> bottleneck(Point a, Point b) const;
+
+  /// Tells places apart between which a disc of `radius_m` cannot travel, whatever the planner's
+  /// own radius and without the error of its offset: it can travel from the one to the other if and
+  /// only if both give the same number (walls taken as they are on the grid). Requires places free
+  /// for a disc of that radius; nothing where a place lies on an outline or beyond the border. The
+  /// number means nothing else. As `bottleneck`, the first call builds the medial axis.
+  std::optional<std::size_t> region_at(Point p, double radius_m) const;
 
   /// Connected parts of the robot's free space (of its centre), largest first.
   std::vector<FreeComponent> components() const;

@@ -15,6 +15,9 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 // Voronoi vertices are rounded; a gap this much beyond an edge's end still belongs to the edge.
 constexpr double kVertexError_mm = 1e-4;
 
+// Relative error of a width and of a diameter in metres turned to millimetres.
+constexpr double kRounding = 1e-14;
+
 Point to_point(GridPoint p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y)};
 }
@@ -192,6 +195,22 @@ Widths::Way Widths::between(const Foot& a, const Foot& b) const {
     }
   }
   return best;
+}
+
+// Clearance along an edge falls to one narrowest place and rises from there, so a disc that stands
+// on the edge gets at least to one of its ends.
+std::optional<std::size_t> Widths::region_of(GridPoint p, double width_mm) const {
+  const double needed_mm = width_mm * (1.0 - kRounding);
+  const auto foot = foot_of(p);
+  if (!foot) return std::nullopt;
+  const VoronoiEdge& edge = graph_.edges[foot->edge];
+  const bool to_from =
+      measure(edge, foot->at, graph_.vertices[edge.from]).width_mm >= needed_mm - kVertexError_mm;
+  std::uint32_t v = to_from ? edge.from : edge.to;
+  while (links_[v].parent != v && passages_[order_[links_[v].rank]].width_mm >= needed_mm) {
+    v = links_[v].parent;
+  }
+  return v;
 }
 
 NarrowPlace Widths::place_on(const Way& way) const {

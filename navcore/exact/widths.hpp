@@ -36,6 +36,11 @@ class Widths {
   /// even a small one.
   std::optional<NarrowPlace> widest_way(GridPoint a, GridPoint b) const;
 
+  /// A number that two free points share if and only if a disc of this diameter (mm) can travel
+  /// from one to the other. Requires that it can stand at the point; nothing for a point on an
+  /// edge.
+  std::optional<std::size_t> region_of(GridPoint p, double width_mm) const;
+
  private:
   // Where an edge of the medial axis is narrowest.
   struct Passage {

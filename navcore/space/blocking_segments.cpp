@@ -6,10 +6,16 @@
 namespace mapwright::navcore {
 namespace {
 
-void add(std::vector<BlockingSegment>& blocking, Point a, Point b, std::size_t obstacle) {
+void add(std::vector<BlockingSegment>& blocking, Point a, Point b, std::size_t obstacle,
+         std::optional<std::uint32_t> segment = std::nullopt) {
   if (is_finite(a) && is_finite(b)) {
-    blocking.push_back({a, b, static_cast<std::uint32_t>(obstacle)});
+    blocking.push_back({a, b, static_cast<std::uint32_t>(obstacle), segment});
   }
+}
+
+void add(std::vector<BlockingSegment>& blocking, const Obstacle& from, std::size_t obstacle,
+         std::uint32_t number) {
+  add(blocking, from.segments[number].a, from.segments[number].b, obstacle, number);
 }
 
 void add_flank(std::vector<BlockingSegment>& blocking, const std::vector<Point>& flank,
@@ -21,7 +27,7 @@ void add_flank(std::vector<BlockingSegment>& blocking, const std::vector<Point>&
 
 void add_stairs(std::vector<BlockingSegment>& blocking, const Obstacle& stairs,
                 std::size_t obstacle) {
-  for (const auto& step : stairs.segments) add(blocking, step.a, step.b, obstacle);
+  for (std::uint32_t i = 0; i < stairs.segments.size(); ++i) add(blocking, stairs, obstacle, i);
   const StairsFlanks flanks = stairs_flanks(stairs);
   add_flank(blocking, flanks.near_a, obstacle);
   add_flank(blocking, flanks.near_b, obstacle);
@@ -38,8 +44,8 @@ std::vector<BlockingSegment> blocking_segments(const Map& map, RampPolicy ramps)
       continue;
     }
     const bool all = obstacle.shape_type == ShapeType::kRamp && ramps == RampPolicy::kAvoid;
-    for (const auto& segment : obstacle.segments) {
-      if (all || segment.height_m > 0.0) add(blocking, segment.a, segment.b, i);
+    for (std::uint32_t j = 0; j < obstacle.segments.size(); ++j) {
+      if (all || obstacle.segments[j].height_m > 0.0) add(blocking, obstacle, i, j);
     }
   }
   return blocking;

@@ -218,6 +218,85 @@ TEST_F(PlanVerb, RampsAreFreeAvoidedOrForced) {
       plan({"--start", "1,1", "--goal", "9,1", "--ramps", "avoid", "--via-ramp", "12"}).status, 2);
 }
 
+// A bench in each room, named; a statue in the courtyard nobody can enter.
+Map site_with_names() {
+  Map map = site();
+  const auto add = [&](Obstacle obstacle, const char* name) {
+    obstacle.semantic = obstacle.semantic.with_value("name", name);
+    map.obstacles.push_back(std::move(obstacle));
+  };
+  add(box(21, 2, 2, 4, 2.5), "West bench");
+  add(box(22, 17, 8, 19, 8.5), "Café");
+  add(box(23, 3.5, 7.4, 3.7, 7.6), "Statue");
+  return map;
+}
+
+class PlanBetweenNames : public PlanVerb {
+ protected:
+  PlanBetweenNames() { map_ = folder_.file("names.txt", format_map(site_with_names())); }
+};
+
+TEST_F(PlanBetweenNames, GoesToFreeGroundBesideThem) {
+  for (const char* planner : {"balanced-rrt", "exact"}) {
+    const Json query = plan_json({"--start", "West bench", "--goal", "Café", "--radius", "0.3",
+                                  "--planner", planner})["queries"][0];
+    EXPECT_EQ(query["solved"], true);
+    EXPECT_EQ(query["start_name"], "West bench");
+    EXPECT_EQ(query["goal_name"], "Café");
+    EXPECT_NEAR(query["start"][0], 3.0, 1e-9);
+    EXPECT_NEAR(query["start"][1], 2.0 - 0.305, 1e-9);
+    EXPECT_EQ(query["path"].back(), query["goal"]);
+  }
+  const ProgramRun run = plan({"--start", "West bench", "--goal", "1,9"});
+  EXPECT_EQ(run.out.substr(0, 37), "'West bench' (3, 1.995) to (1, 9): pa") << run.out;
+}
+
+TEST_F(PlanBetweenNames, TakesThemFromQueriesBesidePoints) {
+  const Json point = plan_json({"--start", "West bench", "--goal", "Café"})["queries"][0];
+  const auto answers = [&](const std::string& text) {
+    return plan_json({"--queries", folder_.file("q.csv", text)})["queries"];
+  };
+  EXPECT_EQ(answers("West bench, Café\n")[0]["goal"], point["goal"]);
+  const Json mixed =
+      answers("goal,start,start_x,start_y,goal_x,goal_y\nCafé,,1,9,,\n,West bench,,,9,1\n");
+  EXPECT_EQ(mixed[0]["start"], Json::array({1.0, 9.0}));
+  EXPECT_EQ(mixed[0]["goal_name"], "Café");
+  EXPECT_EQ(mixed[1]["start"], point["start"]);
+  EXPECT_EQ(mixed[1]["goal"], Json::array({9.0, 1.0}));
+}
+
+TEST_F(PlanBetweenNames, PassesThemAsViaPoints) {
+  const Json query = plan_json({"--start", "1,1", "--goal", "19,1", "--via", "Café"})["queries"][0];
+  bool passes = false;
+  for (const Point p : path_of(query)) passes = passes || distance(p, {18, 8}) < 1.2;
+  EXPECT_TRUE(passes);
+}
+
+TEST_F(PlanBetweenNames, UnknownOnesAreAnsweredWithSimilarOnesAndAll) {
+  const ProgramRun run = plan({"--start", "West bank", "--goal", "Café"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("no place named 'West bank'; did you mean 'West bench'?"),
+            std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("Its places: 'West bench', 'Café', 'Statue'"), std::string::npos);
+  EXPECT_EQ(plan({"--queries", folder_.file("q.csv", "West bank,Café\n")}).status, 2);
+  map_ = folder_.file("site.txt", format_map(site_));
+  EXPECT_NE(plan({"--start", "A", "--goal", "B"}).err.find("none of its obstacles has a name"),
+            std::string::npos);
+}
+
+TEST_F(PlanBetweenNames, SaysWhereThereIsNoRoomAndNoWay) {
+  const auto reason = [&](const char* goal, const char* radius) {
+    const Json query =
+        plan_json({"--start", "1,1", "--goal", goal, "--radius", radius, "--planner", "exact"},
+                  1)["queries"][0];
+    EXPECT_EQ(query["reachable"], false);
+    return query["reason"].get<std::string>();
+  };
+  EXPECT_NE(reason("Statue", "0.3").find("proved"), std::string::npos);
+  EXPECT_EQ(reason("Statue", "0.6"), "goal: there is no room for the robot within 1 m of 'Statue'");
+}
+
 TEST_F(PlanVerb, WrongUsageIsStatusTwoAndNamesTheOption) {
   const std::vector<std::vector<std::string>> wrong{
       {},

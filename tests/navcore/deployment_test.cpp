@@ -73,18 +73,17 @@ TEST(PlanningTrials, NamesProvedPairsThatThePlannerMissed) {
     walls.push_back(wall(2 * i + 1, {{x, gap + 0.64}, {x, 10}}));
   }
   const FreeSpace space(map10(walls));
-  ReachabilityOptions options;
-  options.radius_m = 0.3;
-  const ReachabilityMap reachability(space, options);
-  ASSERT_EQ(reachability.areas().size(), 1U);
+  const auto areas = TravelAreas::build(map10(walls), 0.3, RampPolicy::kFree);
+  ASSERT_TRUE(areas.has_value());
+  ASSERT_EQ(areas->areas().size(), 1U);
   PlanningTrialsSettings settings;
   settings.rrt.max_iterations = 20;
-  const auto few = run_planning_trials(space, reachability, settings, 1);
+  const auto few = run_planning_trials(space, *areas, settings, 1);
   EXPECT_EQ(few.trials, 20U);
   EXPECT_FALSE(few.missed.empty());
   EXPECT_EQ(few.solved + few.missed.size(), few.trials);
   settings.rrt.max_iterations = 100000;
-  const auto many = run_planning_trials(space, reachability, settings, 1);
+  const auto many = run_planning_trials(space, *areas, settings, 1);
   EXPECT_EQ(many.solved, many.trials);
 }
 

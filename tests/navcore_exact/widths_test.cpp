@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "navcore/exact/connected_share.hpp"
+#include "navcore/exact/clearance_table.hpp"
 #include "navcore/exact/exact_planner.hpp"
 #include "tests/navcore_exact/random_maps.hpp"
 
@@ -143,25 +143,6 @@ TEST(Bottleneck, AgreesWithTheDiscPlanner) {
   }
   EXPECT_GT(passed, 40);
   EXPECT_GT(stuck, 5);
-}
-
-TEST(ConnectedShares, FallWhereTheDoorGetsTooNarrow) {
-  const double radii_m[] = {0.0, 0.39, 0.41, 4.0, 6.0};
-  const auto shares = connected_shares(two_rooms(0.8), RampPolicy::kFree, radii_m);
-  ASSERT_TRUE(shares.has_value());
-  const auto& table = *shares;
-  ASSERT_EQ(table.size(), 5U);
-  EXPECT_EQ(table[0].components, 1U);
-  EXPECT_NEAR(table[0].free_area_m2, 200.0 - 0.3 * 9.2, 1e-9);
-  EXPECT_EQ(table[1].components, 1U);
-  EXPECT_EQ(table[1].share(), 1.0);
-  EXPECT_EQ(table[2].components, 2U);
-  EXPECT_NEAR(table[2].share(), 0.5, 0.01);
-  EXPECT_NEAR(table[3].free_area_m2, 2.0 * 1.85 * 2.0, 0.02);
-  EXPECT_EQ(table[4].components, 0U);
-  EXPECT_EQ(table[4].share(), 0.0);
-  const double wrong[] = {-1.0};
-  EXPECT_FALSE(connected_shares(two_rooms(0.8), RampPolicy::kFree, wrong).has_value());
 }
 
 }  // namespace

@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "mapcore/text/reader.hpp"
 #include "mapcore/text/writer.hpp"
 #include "tests/navcore/hand_made_maps.hpp"
+#include "tests/support/data.hpp"
+#include "validators/check_pages.hpp"
 
 namespace mapwright::validators {
 namespace {
@@ -87,9 +91,90 @@ TEST(DeploymentGate, NoN102ForACourtyardWithAGateOrASmallOne) {
   EXPECT_EQ(codes(check(with_courtyard(), options).findings), Codes{});
 }
 
+std::string fixture(const std::string& name) {
+  std::ifstream in(test::project_file("tests/fixtures/checks/" + name), std::ios::binary);
+  EXPECT_TRUE(in) << name;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Family N needs a robot, so its fixtures are run here: that of a place also has what cuts it off.
+TEST(DeploymentGate, FixturesTriggerAndNearMissesDoNot) {
+  const auto codes_of = [](const std::string& name) {
+    return codes(check_deployment(read_map(fixture(name)), quick()).findings);
+  };
+  EXPECT_EQ(codes_of("N105.txt"), (Codes{"N102", "N106", "N105"}));
+  EXPECT_EQ(codes_of("N105.ok.txt"), Codes{});
+  EXPECT_EQ(codes_of("N106.txt"), (Codes{"N102", "N106"}));
+  EXPECT_EQ(codes_of("N106.ok.txt"), Codes{});
+}
+
+TEST(DeploymentGate, PagesShowTheFixtures) {
+  for (const auto code : {FindingCode::N105, FindingCode::N106}) {
+    for (const auto* ending : {".txt", ".ok.txt"}) {
+      const std::string text = fixture(std::string(finding_type(code).id) + ending);
+      EXPECT_NE(check_page(code).find("```\n" + text + "```\n"), std::string::npos) << ending;
+    }
+  }
+}
+
+TEST(DeploymentGate, N106NamesThePlaceAndBothObstacles) {
+  const MapDocument document = read_map(fixture("N106.txt"));
+  const auto findings = check_deployment(document, quick()).findings;
+  ASSERT_EQ(codes(findings), (Codes{"N102", "N106"}));
+  const Finding& finding = findings[1];
+  EXPECT_NEAR(finding.at->y, 4.25, 1e-9);
+  EXPECT_NE(finding.message.find("0.5 m wide"), std::string::npos) << finding.message;
+  EXPECT_NE(finding.message.find("of obstacle 1 (wall)"), std::string::npos) << finding.message;
+  EXPECT_NE(finding.message.find("of obstacle 2 (wall)"), std::string::npos) << finding.message;
+  ASSERT_TRUE(finding.obstacle && finding.segment && finding.place);
+  const std::size_t position = *finding.obstacle == 1 ? 0 : 1;
+  EXPECT_EQ(*finding.place,
+            document.index.place(document.text, position, *finding.segment - 1, SegmentField::kAx));
+}
+
+TEST(DeploymentGate, N105StandsBesideThePlace) {
+  const auto outcome = check_deployment(read_map(fixture("N105.txt")), quick());
+  const Finding& finding = outcome.findings.back();
+  EXPECT_EQ(finding.obstacle, 6);
+  EXPECT_TRUE(Box({14.5, 2.5, 18, 7.5}).contains(*finding.at));
+  EXPECT_NE(finding.message.find("'Reading bench'"), std::string::npos) << finding.message;
+  EXPECT_NE(finding.message.find("0.55 m wide"), std::string::npos) << finding.message;
+}
+
+TEST(DeploymentGate, N105WhereThereIsNoRoomBesideThePlace) {
+  Map site = map10({box(1, 4, 4, 6, 6), box(2, 1, 1, 9, 9)});
+  site.obstacles[0].semantic = "bench,name=Walled in";
+  const auto findings = check(site).findings;
+  EXPECT_EQ(codes(findings).back(), "N105");
+  EXPECT_NE(findings.back().message.find("no room"), std::string::npos);
+}
+
+TEST(DeploymentGate, OneGapBeforeTwoAreasIsOneN106) {
+  // A yard behind a narrow gate, and a yard behind a narrow gate of that yard.
+  const auto outcome =
+      check(map({0, 10, 30, 0},
+                {box(1, 9.9, 0, 10.1, 4), box(2, 9.9, 4.4, 10.1, 10), box(3, 19.9, 0, 20.1, 4),
+                 box(4, 19.9, 4.5, 20.1, 10), box(5, 24, 0, 24.2, 10)}));
+  std::size_t areas = 0, gaps = 0;
+  for (const auto code : codes(outcome.findings)) {
+    areas += code == "N102" ? 1U : 0U;
+    gaps += code == "N106" ? 1U : 0U;
+  }
+  EXPECT_EQ(areas, 3U);
+  EXPECT_EQ(gaps, 1U);  // the narrower one is to blame for both; the easternmost yard is closed
+}
+
+TEST(DeploymentGate, SaysWhyNothingCouldBeRun) {
+  const auto outcome = check(map10({box(1, 2e6, 4, 2e6 + 1, 6)}));
+  ASSERT_TRUE(outcome.deployment.has_value());
+  const auto sections = deployment_sections(outcome, quick());
+  EXPECT_EQ(sections[2].json, "null");
+  EXPECT_NE(sections[2].line.find("500 km"), std::string::npos) << sections[2].line;
+}
+
 navcore::DeploymentOutcome with_one_area() {
   navcore::DeploymentOutcome outcome;
-  outcome.reachability.areas.push_back({50.0, {5, 5}, {0, 0, 10, 10}, true});
+  outcome.reachability.areas.push_back({50.0, {5, 5}, {0, 0, 10, 10}, {}});
   outcome.reachability.largest_fraction = 1.0;
   return outcome;
 }
@@ -97,9 +182,9 @@ navcore::DeploymentOutcome with_one_area() {
 TEST(DeploymentGate, N103ForAPairThatThePlannerMissed) {
   auto outcome = with_one_area();
   outcome.planning = navcore::PlanningTrials{3, 3, {}};
-  EXPECT_EQ(codes(deployment_findings(outcome, quick())), Codes{});
+  EXPECT_EQ(codes(deployment_findings({}, outcome, quick())), Codes{});
   outcome.planning = navcore::PlanningTrials{3, 2, {{{1, 1}, {9, 9}, 500}}};
-  const auto findings = deployment_findings(outcome, quick());
+  const auto findings = deployment_findings({}, outcome, quick());
   ASSERT_EQ(codes(findings), Codes{"N103"});
   EXPECT_EQ(findings[0].at, (Point{1, 1}));
 }
@@ -108,9 +193,9 @@ TEST(DeploymentGate, N104WhenTooFewRunsConverge) {
   auto outcome = with_one_area();
   const navcore::LostRun lost{{3, 4, Angle()}, 7.5};
   outcome.localization = navcore::LocalizationTrials{10, 8, 0.1, 7.5, {lost, lost}};
-  EXPECT_EQ(codes(deployment_findings(outcome, quick())), Codes{});
+  EXPECT_EQ(codes(deployment_findings({}, outcome, quick())), Codes{});
   outcome.localization->converged = 7;
-  const auto findings = deployment_findings(outcome, quick());
+  const auto findings = deployment_findings({}, outcome, quick());
   ASSERT_EQ(codes(findings), Codes{"N104"});
   EXPECT_EQ(findings[0].at, (Point{3, 4}));
 }
@@ -134,6 +219,18 @@ TEST(DeploymentGate, WithoutABorderNothingIsRun) {
   }
 }
 
+TEST(DeploymentGate, SectionsNameGapsAndPlaces) {
+  const auto outcome = check_deployment(read_map(fixture("N105.txt")), quick());
+  const auto json = nlohmann::ordered_json::parse(deployment_sections(outcome, quick())[2].json);
+  const auto& gap = json["unreachable"][0]["gap"];
+  EXPECT_NEAR(gap["width_m"], 0.55, 1e-12);
+  EXPECT_EQ(gap["between"][0]["obstacle"].get<int>() + gap["between"][1]["obstacle"].get<int>(), 9);
+  EXPECT_TRUE(gap["between"][0]["segment"].is_number());
+  EXPECT_EQ(json["places"], 1);
+  EXPECT_EQ(json["places_cut_off"][0]["name"], "Reading bench");
+  EXPECT_EQ(json["places_cut_off"][0]["gap"], gap);
+}
+
 TEST(DeploymentGate, SectionsHaveTheKeysOfTheContract) {
   auto outcome = check(with_courtyard());
   outcome.deployment->localization = navcore::LocalizationTrials{10, 9, 0.1, 0.4, {}};
@@ -154,6 +251,9 @@ TEST(DeploymentGate, SectionsHaveTheKeysOfTheContract) {
   EXPECT_GT(json["reachability"]["largest_fraction"], 0.8);
   ASSERT_EQ(json["reachability"]["unreachable"].size(), 1U);
   EXPECT_NEAR(json["reachability"]["unreachable"][0]["area_m2"], 2.4 * 2.4, 0.5);
+  EXPECT_TRUE(json["reachability"]["unreachable"][0]["gap"].is_null());
+  EXPECT_EQ(json["reachability"]["places"], 0);
+  EXPECT_TRUE(json["reachability"]["places_cut_off"].empty());
 }
 
 }  // namespace

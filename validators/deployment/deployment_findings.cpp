@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
+#include "validators/deployment/blame.hpp"
 #include "validators/deployment/deployment_gate.hpp"
 #include "validators/wording.hpp"
 
@@ -25,23 +27,75 @@ Finding finding_at(FindingCode code, std::string message, Point at) {
   return finding;
 }
 
-void add_unreachable(const DeploymentOutcome& outcome, double min_area_m2,
-                     std::vector<Finding>& findings) {
+using navcore::Bottleneck;
+using navcore::TravelArea;
+
+std::string way_in(const Map& map, const std::optional<Bottleneck>& gap) {
+  if (!gap) return "it is closed all around";
+  return "the widest way in is " + gap_text(map, *gap);
+}
+
+Finding unreachable_area(const MapDocument& document, const DeploymentOutcome& outcome,
+                         const TravelArea& area) {
+  Finding finding = finding_at(
+      FindingCode::N102,
+      robot_text(outcome) + " cannot get from the largest area to the " + rounded(area.area_m2, 1) +
+          " m² around " + place_text(area.at) + ": " + way_in(document.map, area.gap) +
+          "; open the way in, or close the outline around it if it is solid",
+      area.at);
+  if (area.gap) blame(document, *area.gap, finding);
+  return finding;
+}
+
+Finding narrow_passage(const MapDocument& document, const DeploymentOutcome& outcome,
+                       const Bottleneck& gap) {
+  Finding finding =
+      finding_at(FindingCode::N106,
+                 "a passage " + gap_text(document.map, gap) + ", is too narrow for " +
+                     robot_text(outcome) + ", and there is no other way; widen it by " +
+                     metres(2.0 * outcome.reachability.radius_m - gap.width_m) +
+                     " m if it is wider in reality",
+                 gap.at);
+  blame(document, gap, finding);
+  return finding;
+}
+
+void add_areas(const MapDocument& document, const DeploymentOutcome& outcome, double min_area_m2,
+               std::vector<Finding>& findings) {
   const auto& areas = outcome.reachability.areas;
   if (areas.empty()) {
     findings.push_back(make_finding(
         FindingCode::N101, "nowhere in the map can " + robot_text(outcome) +
                                " stand; see whether an outline runs the wrong way round the site"));
-    return;
   }
+  std::vector<Bottleneck> gaps;  // several areas can lie behind one
   for (std::size_t i = 1; i < areas.size(); ++i) {
     if (areas[i].area_m2 < min_area_m2) continue;
-    findings.push_back(
-        finding_at(FindingCode::N102,
-                   robot_text(outcome) + " cannot get from the largest area to the " +
-                       rounded(areas[i].area_m2, 1) + " m² around " + place_text(areas[i].at) +
-                       "; open the way in, or close the outline around it if it is solid",
-                   areas[i].at));
+    findings.push_back(unreachable_area(document, outcome, areas[i]));
+    const auto& gap = areas[i].gap;
+    const auto is_same = [&](const Bottleneck& other) { return other.at == gap->at; };
+    if (gap && std::none_of(gaps.begin(), gaps.end(), is_same)) gaps.push_back(*gap);
+  }
+  for (const auto& gap : gaps) findings.push_back(narrow_passage(document, outcome, gap));
+}
+
+void add_cut_off_places(const MapDocument& document, const DeploymentOutcome& outcome,
+                        std::vector<Finding>& findings) {
+  for (const auto& place : outcome.reachability.cut_off_places) {
+    const Obstacle& obstacle = document.map.obstacles[place.obstacle];
+    std::string message =
+        robot_text(outcome) + " cannot get to '" + place.name + "' (" + name_of(obstacle) + "): ";
+    message +=
+        place.at
+            ? "beside it, at " + place_text(*place.at) + ", " + way_in(document.map, place.gap)
+            : "there is no room for it within " + metres(tolerance::kBesidePlace_m) + " m of it";
+    if (!place.at && place.gap) message += ", and " + way_in(document.map, place.gap);
+    Finding finding = make_finding(FindingCode::N105, std::move(message));
+    finding.at = place.at;
+    finding.obstacle = obstacle.id;
+    if (!finding.at && !obstacle.segments.empty()) finding.at = obstacle.segments.front().a;
+    finding.place = document.index.place(document.text, place.obstacle, ObstacleField::kSemantic);
+    findings.push_back(std::move(finding));
   }
 }
 
@@ -73,10 +127,13 @@ void add_lost_runs(const navcore::LocalizationTrials& trials, double min_converg
 
 }  // namespace
 
-std::vector<Finding> deployment_findings(const DeploymentOutcome& outcome,
+std::vector<Finding> deployment_findings(const MapDocument& document,
+                                         const DeploymentOutcome& outcome,
                                          const GateOptions& options) {
   std::vector<Finding> findings;
-  add_unreachable(outcome, options.min_unreachable_m2, findings);
+  if (!outcome.failure.empty()) return findings;
+  add_areas(document, outcome, options.min_unreachable_m2, findings);
+  add_cut_off_places(document, outcome, findings);
   if (outcome.planning) add_missed_plans(*outcome.planning, findings);
   if (outcome.localization) add_lost_runs(*outcome.localization, options.min_converged, findings);
   return findings;

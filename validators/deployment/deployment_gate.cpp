@@ -17,9 +17,10 @@ bool has_usable_border(const Border& border) {
 GateOutcome check_deployment(const MapDocument& document, const GateOptions& options) {
   GateOutcome outcome;
   outcome.findings = validate(document, options.validation);
+  for (const auto& obstacle : document.map.obstacles) outcome.obstacle_ids.push_back(obstacle.id);
   if (!has_usable_border(document.map.border)) return outcome;
   outcome.deployment = navcore::run_deployment(document.map, options.deployment);
-  auto more = deployment_findings(*outcome.deployment, options);
+  auto more = deployment_findings(document, *outcome.deployment, options);
   outcome.findings.insert(outcome.findings.end(), std::make_move_iterator(more.begin()),
                           std::make_move_iterator(more.end()));
   return outcome;

@@ -48,16 +48,56 @@ ReportSection planning_section(const navcore::PlanningTrials& trials) {
           formatted("planning: %zu of %zu pairs solved", trials.solved, trials.trials)};
 }
 
-Json area_json(const navcore::ReachableArea& area) {
+// One of the two sides of a gap; both null for the border.
+Json side_json(std::optional<std::uint32_t> obstacle, std::optional<std::uint32_t> segment,
+               const std::vector<std::int64_t>& ids) {
+  Json json;
+  json["obstacle"] = obstacle ? Json(ids[*obstacle]) : Json(nullptr);
+  json["segment"] = segment ? Json(*segment + 1) : Json(nullptr);
+  return json;
+}
+
+Json gap_json(const std::optional<navcore::Bottleneck>& gap, const std::vector<std::int64_t>& ids) {
+  if (!gap) return nullptr;
+  Json json;
+  json["width_m"] = gap->width_m;
+  json["at"] = {gap->at.x, gap->at.y};
+  json["between"] = {side_json(gap->obstacle_from, gap->segment_from, ids),
+                     side_json(gap->obstacle_to, gap->segment_to, ids)};
+  return json;
+}
+
+Json area_json(const navcore::TravelArea& area, const std::vector<std::int64_t>& ids) {
   Json json;
   json["area_m2"] = area.area_m2;
   json["at"] = {area.at.x, area.at.y};
   json["bbox"] = {area.box.min_x, area.box.min_y, area.box.max_x, area.box.max_y};
+  json["gap"] = gap_json(area.gap, ids);
   return json;
 }
 
-ReportSection reachability_section(const navcore::ReachabilityOutcome& outcome,
-                                   double min_area_m2) {
+Json place_json(const navcore::CutOffPlace& place, const std::vector<std::int64_t>& ids) {
+  Json json;
+  json["name"] = place.name;
+  json["obstacle"] = ids[place.obstacle];
+  json["at"] = place.at ? Json({place.at->x, place.at->y}) : Json(nullptr);
+  json["gap"] = gap_json(place.gap, ids);
+  return json;
+}
+
+std::string reachability_text(const navcore::ReachabilityOutcome& outcome) {
+  std::string text =
+      formatted("reachability for radius %g m: %s, the largest holds %.1f %% of the free ground",
+                outcome.radius_m, counted(outcome.areas.size(), "area").c_str(),
+                100.0 * outcome.largest_fraction);
+  if (outcome.places == 0) return text;
+  return text + formatted("; %zu of %s can be reached",
+                          outcome.places - outcome.cut_off_places.size(),
+                          counted(outcome.places, "named place").c_str());
+}
+
+ReportSection reachability_section(const navcore::ReachabilityOutcome& outcome, double min_area_m2,
+                                   const std::vector<std::int64_t>& ids) {
   Json json;
   json["radius_m"] = outcome.radius_m;
   json["components"] = outcome.areas.size();
@@ -65,15 +105,17 @@ ReportSection reachability_section(const navcore::ReachabilityOutcome& outcome,
   json["unreachable"] = Json::array();
   for (std::size_t i = 1; i < outcome.areas.size(); ++i) {
     if (outcome.areas[i].area_m2 >= min_area_m2) {
-      json["unreachable"].push_back(area_json(outcome.areas[i]));
+      json["unreachable"].push_back(area_json(outcome.areas[i], ids));
     }
   }
   json["resolution_m"] = outcome.resolution_m;
-  return {
-      "reachability", json.dump(),
-      formatted("reachability for radius %g m: %s, the largest holds %.1f %% of the free ground",
-                outcome.radius_m, counted(outcome.areas.size(), "area").c_str(),
-                100.0 * outcome.largest_fraction)};
+  json["places"] = outcome.places;
+  json["places_cut_off"] = Json::array();
+  for (const auto& place : outcome.cut_off_places) {
+    json["places_cut_off"].push_back(place_json(place, ids));
+  }
+  return {"reachability", json.dump(-1, ' ', false, Json::error_handler_t::replace),
+          reachability_text(outcome)};
 }
 
 std::string verdict_text(const std::vector<Finding>& findings) {
@@ -88,8 +130,15 @@ std::string verdict_text(const std::vector<Finding>& findings) {
          counted(count(Severity::kWarning), "warning");
 }
 
-ReportSection not_run(const char* key, const char* why) {
+ReportSection not_run(const char* key, const std::string& why) {
   return {key, "null", std::string(key) + ": not run, " + why};
+}
+
+std::string why_not_run(const GateOutcome& outcome) {
+  if (!outcome.deployment) return "the border cannot be used";
+  if (!outcome.deployment->failure.empty()) return outcome.deployment->failure;
+  if (outcome.deployment->reachability.areas.empty()) return "the robot can stand nowhere";
+  return "not asked for";
 }
 
 }  // namespace
@@ -97,18 +146,16 @@ ReportSection not_run(const char* key, const char* why) {
 std::vector<ReportSection> deployment_sections(const GateOutcome& outcome,
                                                const GateOptions& options) {
   std::vector<ReportSection> sections;
-  const bool in_map = outcome.deployment.has_value();
-  const bool stands = in_map && !outcome.deployment->reachability.areas.empty();
-  const char* why = !in_map  ? "the border cannot be used"
-                    : stands ? "not asked for"
-                             : "the robot can stand nowhere";
+  const bool has_run = outcome.deployment && outcome.deployment->failure.empty();
+  const std::string why = why_not_run(outcome);
   const DeploymentOutcome none;
-  const DeploymentOutcome& run = in_map ? *outcome.deployment : none;
+  const DeploymentOutcome& run = has_run ? *outcome.deployment : none;
   sections.push_back(run.localization ? localization_section(*run.localization)
                                       : not_run("localization", why));
   sections.push_back(run.planning ? planning_section(*run.planning) : not_run("planning", why));
-  sections.push_back(in_map ? reachability_section(run.reachability, options.min_unreachable_m2)
-                            : not_run("reachability", why));
+  sections.push_back(has_run ? reachability_section(run.reachability, options.min_unreachable_m2,
+                                                    outcome.obstacle_ids)
+                             : not_run("reachability", why));
   sections.push_back({"", "", verdict_text(outcome.findings)});
   return sections;
 }
