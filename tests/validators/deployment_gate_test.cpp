@@ -123,6 +123,8 @@ TEST(DeploymentGate, N106NamesThePlaceAndBothObstacles) {
   ASSERT_EQ(codes(findings), (Codes{"N102", "N106"}));
   const Finding& finding = findings[1];
   EXPECT_NEAR(finding.at->y, 4.25, 1e-9);
+  ASSERT_EQ(finding.geometry.lines.size(), 1U);
+  EXPECT_NEAR(distance(finding.geometry.lines[0][0], finding.geometry.lines[0][1]), 0.5, 1e-9);
   EXPECT_NE(finding.message.find("0.5 m wide"), std::string::npos) << finding.message;
   EXPECT_NE(finding.message.find("of obstacle 1 (wall)"), std::string::npos) << finding.message;
   EXPECT_NE(finding.message.find("of obstacle 2 (wall)"), std::string::npos) << finding.message;

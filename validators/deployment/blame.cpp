@@ -23,7 +23,12 @@ std::string gap_text(const Map& map, const navcore::Bottleneck& gap) {
          side_text(map, gap.obstacle_to, gap.segment_to);
 }
 
+void show(const navcore::Bottleneck& gap, Finding& finding) {
+  finding.geometry.lines.push_back({gap.from, gap.to});
+}
+
 void blame(const MapDocument& document, const navcore::Bottleneck& gap, Finding& finding) {
+  show(gap, finding);
   const Position obstacle = gap.obstacle_from ? gap.obstacle_from : gap.obstacle_to;
   if (!obstacle) return;  // a border hardly wider than the robot
   const Position segment = gap.obstacle_from ? gap.segment_from : gap.segment_to;

@@ -12,8 +12,11 @@ namespace mapwright::validators {
 /// "0.42 m wide at (9.9, 4.6), between segment 3 of obstacle 7 (column,A5) and the border".
 std::string gap_text(const Map& map, const navcore::Bottleneck& gap);
 
-/// Lets the finding name the first of the gap's obstacles that is not the border: its id, segment
-/// and place in the text.
+/// The gap as a line across it.
+void show(const navcore::Bottleneck& gap, Finding& finding);
+
+/// Shows the gap, and lets the finding name the first of its obstacles that is not the border: its
+/// id, segment and place in the text.
 void blame(const MapDocument& document, const navcore::Bottleneck& gap, Finding& finding);
 
 }  // namespace mapwright::validators

@@ -93,6 +93,7 @@ void add_cut_off_places(const MapDocument& document, const DeploymentOutcome& ou
     Finding finding = make_finding(FindingCode::N105, std::move(message));
     finding.at = place.at;
     finding.obstacle = obstacle.id;
+    if (place.gap) show(*place.gap, finding);
     if (!finding.at && !obstacle.segments.empty()) finding.at = obstacle.segments.front().a;
     finding.place = document.index.place(document.text, place.obstacle, ObstacleField::kSemantic);
     findings.push_back(std::move(finding));
