@@ -1,7 +1,26 @@
+#include <charconv>
+
 #include "mapcore/defect_geometry.hpp"
 #include "validators/check.hpp"
 
 namespace mapwright::validators {
+namespace {
+
+// The token source=LAYER:FEATURE, which `convert --source-tokens` writes.
+std::vector<GisFeature> features_of(const Obstacle& obstacle) {
+  const auto token = obstacle.semantic.value(semantic_key::kSource);
+  if (!token) return {};
+  const auto colon = token->rfind(':');
+  if (colon == token->npos) return {};
+  const auto digits = token->substr(colon + 1);
+  GisFeature feature{"", std::string(token->substr(0, colon)), 0};
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), feature.fid);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return {};
+  return {std::move(feature)};
+}
+
+}  // namespace
 
 void FindingSink::border(FindingCode code, std::string message) {
   Finding finding = make_finding(code, std::move(message));
@@ -20,6 +39,7 @@ void FindingSink::obstacle(FindingCode code, std::size_t obstacle, ObstacleField
   if (!subject.segments.empty()) finding.at = subject.segments.front().a;
   finding.obstacle = subject.id;
   finding.geometry = geometry_of(subject);
+  finding.features = features_of(subject);
   findings_.push_back(std::move(finding));
 }
 
@@ -28,8 +48,10 @@ void FindingSink::segment(FindingCode code, std::size_t obstacle, std::size_t se
   Finding finding = make_finding(code, std::move(message));
   finding.place = document_.index.place(document_.text, obstacle, segment, field);
   finding.at = at;
-  const Segment& shown = document_.map.obstacles[obstacle].segments[segment];
-  finding.obstacle = document_.map.obstacles[obstacle].id;
+  const Obstacle& subject = document_.map.obstacles[obstacle];
+  const Segment& shown = subject.segments[segment];
+  finding.obstacle = subject.id;
+  finding.features = features_of(subject);
   finding.geometry = geometry_of(shown);
   if (at != shown.a) finding.geometry.points.push_back(at);
   finding.segment = segment + 1;

@@ -1,5 +1,6 @@
 #include "validators/wording.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -36,6 +37,26 @@ std::string metres(double value) {
 
 std::string place_text(Point p) {
   return "(" + metres(p.x) + ", " + metres(p.y) + ")";
+}
+
+std::string origin_text(const Finding& finding) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  const auto& features = finding.features;
+  for (std::size_t i = 0; i < std::min(kMost, features.size()); ++i) {
+    text += (i == 0 ? "from layer " : "; layer ") + features[i].layer + ", feature " +
+            std::to_string(features[i].fid);
+    if (!features[i].source.empty()) text += " of " + features[i].source;
+  }
+  if (features.size() > kMost) {
+    text += "; and " + std::to_string(features.size() - kMost) + " more features";
+  }
+  return text;
+}
+
+std::string message_text(const Finding& finding) {
+  const std::string origin = origin_text(finding);
+  return origin.empty() ? finding.message : finding.message + " (" + origin + ")";
 }
 
 }  // namespace mapwright::validators

@@ -5,9 +5,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
 
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
+#include "cli/support/findings_layers.hpp"
 #include "mapcore/georeference.hpp"
 
 namespace mapwright::cli {
@@ -21,23 +23,34 @@ std::string counted(std::size_t count, const std::string& noun) {
 
 std::string report_format_names() {
   std::string names;
-  for (const auto& format : validators::report_formats()) {
-    names += (names.empty() ? "" : ", ") + std::string(format.name);
+  for (const auto* formats : {&validators::report_formats(), &gis_report_formats()}) {
+    for (const auto& format : *formats) {
+      names += (names.empty() ? "" : ", ") + std::string(format.name);
+    }
   }
   return names;
 }
 
 const validators::ReportFormat& find_report_format(const std::string& name) {
-  const auto* format = validators::find_report_format(name);
-  if (format == nullptr) {
-    fail_usage("--format: '" + name + "' is none of " + report_format_names());
+  if (const auto* format = validators::find_report_format(name)) return *format;
+  for (const auto& format : gis_report_formats()) {
+    if (format.name == name) return format;
   }
-  return *format;
+  fail_usage("--format: '" + name + "' is none of " + report_format_names());
+}
+
+void check_report_output(const validators::ReportFormat& format, const std::string& output) {
+  if (format.is_binary && output == "-") {
+    fail_usage("--format " + std::string(format.name) + " is no text: name a file with -o");
+  }
 }
 
 bool is_colour_terminal(const Console& console) {
+  const char* no_colour = std::getenv("NO_COLOR");  // https://no-color.org
+  const char* terminal = std::getenv("TERM");
   return &console.out() == &std::cout && isatty(STDOUT_FILENO) == 1 &&
-         std::getenv("NO_COLOR") == nullptr;
+         (no_colour == nullptr || *no_colour == '\0') &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
 std::optional<Finding> sidecar_finding(const std::string& map_path) {

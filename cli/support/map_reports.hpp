@@ -18,7 +18,11 @@ std::string report_format_names();
 /// Throws Error (kUsage) for a name that is not among them.
 const validators::ReportFormat& find_report_format(const std::string& name);
 
-/// True if the verb's results go to a terminal that shows colours (and NO_COLOR is not set).
+/// Throws Error (kUsage) where a format that is no text would go to standard output ("-").
+void check_report_output(const validators::ReportFormat& format, const std::string& output);
+
+/// True if the verb's results go to a terminal that shows colours (TERM is not "dumb", NO_COLOR is
+/// not set, or empty).
 bool is_colour_terminal(const Console& console);
 
 /// The finding about the sidecar of a map; nothing where there is none or all is well.

@@ -143,6 +143,7 @@ void Check::declare(po::options_description& options,
 void Check::configure(const po::variables_map& values) {
   const auto text = [&](const char* name) { return values[name].as<std::string>(); };
   format_ = &find_report_format(format_name_);
+  check_report_output(*format_, output_);
   shard_ = parse_shard("shard", text("shard"));
   jobs_ = static_cast<unsigned>(parse_integer("jobs", text("jobs"), 0, 1024));
   if (std::count(paths_.begin(), paths_.end(), "-") > 1) {

@@ -5,6 +5,7 @@
 #include "cli/support/error.hpp"
 #include "cli/support/findings_text.hpp"
 #include "cli/verb.hpp"
+#include "converter/ledger/obstacle_sources.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -106,7 +107,10 @@ class Convert : public Verb {
                    Console& console) const {
     const std::string size = std::to_string(conversion.map.obstacles.size()) + " obstacles, " +
                              std::to_string(segment_count(conversion.map)) + " segments";
-    const auto findings = files.write_map(std::move(conversion.map), resolution_m, console);
+    auto findings = files.write_map(std::move(conversion.map), resolution_m, console);
+    if (!findings.empty()) {
+      converter::ObstacleSources(conversion.ledger).name_features(findings);
+    }
     files.write_sidecar(conversion.georeference);
     files.commit_map();
     report_findings(console, arguments_.output(), findings);

@@ -8,6 +8,7 @@
 #include "cli/support/map_files.hpp"
 #include "cli/support/map_reports.hpp"
 #include "cli/verb.hpp"
+#include "converter/ledger/obstacle_sources.hpp"
 #include "validators/check_pages.hpp"
 #include "validators/fingerprint.hpp"
 #include "validators/report/report.hpp"
@@ -31,6 +32,7 @@ Examples:
   mapwright validate campus.txt
   mapwright validate north.txt south.txt --format json -o findings.json
   mapwright convert site.gpkg -o - | mapwright validate -
+  mapwright validate campus.txt --ledger ledger.json --format gpkg -o findings.gpkg
   mapwright validate --explain G104
   mapwright validate --list
 )";
@@ -55,6 +57,8 @@ class Validate : public Verb {
         ("how to write the findings: " + report_format_names()).c_str());
     add("output,o", po::value(&output_)->default_value("-"),
         "where to write them; - is standard output");
+    add("ledger", po::value(&ledger_),
+        "what convert --report wrote for the map: findings name GIS layer and feature");
     add("list", po::bool_switch(&list_),
         "list all findings there are: code, severity, name, what it means");
     add("explain", po::value(&explain_),
@@ -68,6 +72,9 @@ class Validate : public Verb {
       if (!explained_) fail_usage("--explain: there is no finding '" + explain_ + "'; see --list");
     }
     format_ = &find_report_format(format_name_);
+    check_report_output(*format_, output_);
+    if (!ledger_.empty() && paths_.size() != 1)
+      fail_usage("--ledger: it is about one map, name that");
     if (paths_.empty() && !list_ && !explained_) fail_usage("name a map to validate");
   }
 
@@ -75,6 +82,7 @@ class Validate : public Verb {
     if (list_) print_catalogue(console.out());
     if (explained_) console.out() << validators::check_page(*explained_);
     if (paths_.empty()) return ExitStatus::kSuccess;
+    if (!ledger_.empty()) sources_ = read_ledger();
     if (output_ == "-") {
       write_report(console.out(), is_colour_terminal(console), console);
     } else {
@@ -85,6 +93,12 @@ class Validate : public Verb {
   }
 
  private:
+  converter::ObstacleSources read_ledger() const {
+    auto sources = converter::ObstacleSources::parse(read_file(ledger_));
+    if (!sources) throw Error(ExitStatus::kInput, ledger_ + ": " + sources.error().message);
+    return *std::move(sources);
+  }
+
   void write_report(std::ostream& out, bool colour, Console& console) {
     const auto writer = format_->make(out, {"validate", colour});
     const auto progress = console.progress("validating");
@@ -103,6 +117,7 @@ class Validate : public Verb {
       report.text = document.text;
       report.findings = validators::validate(document);
       if (auto finding = sidecar_finding(path)) report.findings.push_back(std::move(*finding));
+      if (sources_) sources_->name_features(report.findings);
       report.names = validators::fingerprints(document, report.findings);
     } catch (const Error& error) {
       if (error.status() != ExitStatus::kInput) throw;
@@ -117,6 +132,8 @@ class Validate : public Verb {
   std::string format_name_;
   std::string output_;
   std::string explain_;
+  std::string ledger_;
+  std::optional<converter::ObstacleSources> sources_;
   bool list_ = false;
   std::optional<FindingCode> explained_;
   const validators::ReportFormat* format_ = nullptr;

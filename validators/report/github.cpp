@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "validators/report/report.hpp"
+#include "validators/wording.hpp"
 
 namespace mapwright::validators {
 namespace {
@@ -71,7 +72,7 @@ class GithubReport : public ReportWriter {
       out_ << ",line=" << finding.place->line << ",col=" << finding.place->column;
     }
     out_ << ",title=" << type.id << ' ' << type.name
-         << "::" << escaped(finding.message, message_escapes()) << '\n';
+         << "::" << escaped(message_text(finding), message_escapes()) << '\n';
   }
 
   std::ostream& out_;

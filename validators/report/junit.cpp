@@ -7,6 +7,7 @@
 #include "validators/report/report.hpp"
 #include "validators/report/source_lines.hpp"
 #include "validators/report/text.hpp"
+#include "validators/wording.hpp"
 
 namespace mapwright::validators {
 namespace {
@@ -118,7 +119,7 @@ class Suite {
 
   void add_failure(const Finding& finding, const std::string& text) {
     pugi::xml_node failure = add_case(case_name(finding)).append_child("failure");
-    set(failure, "message", finding.message);
+    set(failure, "message", message_text(finding));
     set(failure, "type", finding_type(finding.code).id);
     add_text(failure, text);
     ++failures_;

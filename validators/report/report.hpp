@@ -60,6 +60,7 @@ struct ReportFormat {
   std::string_view name;
   std::string_view summary;
   std::unique_ptr<ReportWriter> (*make)(std::ostream& out, const ReportOptions& options);
+  bool is_binary = false;  ///< not for terminals
 };
 
 /// "time limit", "memory limit", "crash"; empty for none.

@@ -1,6 +1,7 @@
 #include "validators/report/sarif_result.hpp"
 
 #include "validators/report/json.hpp"
+#include "validators/wording.hpp"
 
 namespace mapwright::validators::sarif {
 namespace {
@@ -105,7 +106,7 @@ Json result_json(const Finding& finding, const Fingerprint* name, const ResultCo
   result["ruleId"] = finding_type(finding.code).id;
   result["ruleIndex"] = context.rule;
   result["level"] = to_string(finding.severity);
-  result["message"] = message_json(finding.message);
+  result["message"] = message_json(message_text(finding));
   result["locations"] = Json::array({location_json(finding, context, lines)});
   if (name != nullptr) {
     result["partialFingerprints"] = {{"mapwrightPlace/v1", name->place},

@@ -4,6 +4,7 @@
 
 #include "validators/report/report.hpp"
 #include "validators/report/source_lines.hpp"
+#include "validators/wording.hpp"
 
 namespace mapwright::validators {
 namespace {
@@ -76,7 +77,7 @@ class TextReport : public ReportWriter {
 std::string finding_line(std::string_view path, const Finding& finding, bool colour) {
   return painted(place_of(path, finding), kBold, colour) + " " +
          painted(to_string(finding.severity), colour_of(finding.severity), colour) + ": " +
-         finding.message + " [" + std::string(finding_type(finding.code).id) + "]";
+         message_text(finding) + " [" + std::string(finding_type(finding.code).id) + "]";
 }
 
 std::unique_ptr<ReportWriter> make_text_report(std::ostream& out, const ReportOptions& options) {
