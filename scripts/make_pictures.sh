@@ -39,6 +39,8 @@ for planner in rrt balanced-rrt; do
   draw "$planner.png" "$campus" --overlay "$scratch/$planner.json" --labels none
 done
 
+scripts/make_planning_pictures.sh "$campus" 12.8,13.5 80,68 "$images/planning" "$program" >/dev/null
+
 # samples/README.md: what validate says, on the map.
 "$program" validate samples/broken/square_broken.txt --format json >"$scratch/findings.json" || true
 draw findings.png samples/broken/square_broken.txt --overlay "$scratch/findings.json" \

@@ -100,13 +100,13 @@ double perimeter_mm(const Barrier& barrier) {
 }  // namespace
 
 std::optional<Barrier> find_barrier(const Tessellation& base, const Tessellation& space,
-                                    GridPoint start, GridPoint goal, std::int64_t radius_mm) {
+                                    GridPoint start, GridPoint goal, std::int64_t radius_nm) {
   std::optional<Barrier> best;
   double shortest_mm = std::numeric_limits<double>::infinity();
   for (const BoundaryCycle& cycle : boundary_cycles(space)) {
     Barrier barrier = polygon_along(edges_around(cycle, base, space), base.work);
     const double length_mm = perimeter_mm(barrier);
-    if (length_mm >= shortest_mm || !separates(barrier, start, goal, radius_mm)) continue;
+    if (length_mm >= shortest_mm || !separates(barrier, start, goal, radius_nm)) continue;
     shortest_mm = length_mm;
     best = std::move(barrier);
   }

@@ -31,12 +31,16 @@ struct Barrier {
 /// - each leg begins where the last one ends, and the last one ends where the first begins;
 /// - a leg along a line is nearer to it than the radius at both ends, so everywhere (for radius 0:
 ///   on it);
-/// - the ends of a leg across a gap are within 1 mm of their lines and the leg is shorter than the
-///   disc's diameter less 2 mm, so that each of its points is nearer to a line than the radius; and
+/// - a leg across a gap has one end on its line, and the other line is nearer to that end than the
+///   disc's diameter (the square of this distance is a rational number and is compared exactly), so
+///   each point of the straight way across is nearer to one of them than the radius. The leg's
+///   other end is the foot of that way, rounded to the grid; start and goal are 2 mm or more from
+///   the leg, so that rounding does not change on which side they are. Discs of 2 mm and less pass
+///   every gap; and
 /// - its winding numbers around start and goal differ, neither of which lies on it.
-/// A disc of `radius_mm` (rounded down) whose way from start to goal crosses the polygon overlaps
-/// one of the lines.
-bool separates(const Barrier& barrier, GridPoint start, GridPoint goal, std::int64_t radius_mm);
+/// A disc of `radius_nm` (nanometres, rounded down) whose way from start to goal crosses the
+/// polygon overlaps one of the lines.
+bool separates(const Barrier& barrier, GridPoint start, GridPoint goal, std::int64_t radius_nm);
 
 /// The shortest barrier between start and goal that `separates` confirms, among those that run
 /// around a free region of `space`. Nothing where none is confirmed.
@@ -44,6 +48,6 @@ bool separates(const Barrier& barrier, GridPoint start, GridPoint goal, std::int
 /// `base` is the free space of a point; the lines of `space` have the edges of `base` they keep
 /// away from as source (offset_free_space). For a point robot both are the same object.
 std::optional<Barrier> find_barrier(const Tessellation& base, const Tessellation& space,
-                                    GridPoint start, GridPoint goal, std::int64_t radius_mm);
+                                    GridPoint start, GridPoint goal, std::int64_t radius_nm);
 
 }  // namespace mapwright::navcore::exact

@@ -1,3 +1,4 @@
+#include <boost/multiprecision/cpp_int.hpp>
 #include <optional>
 
 #include "navcore/exact/barrier.hpp"
@@ -5,26 +6,56 @@
 namespace mapwright::navcore::exact {
 namespace {
 
-__extension__ using Wide = __int128;
+// Holds the square of twice an area times the square of a distance, without overflow.
+using Wide = boost::multiprecision::int256_t;
+
+constexpr std::int64_t kNanometresPerMm = 1'000'000;
 
 Wide square(std::int64_t value) {
-  return Wide{value} * value;
+  return Wide(value) * value;
 }
 
-// True if p is nearer to the line than `limit_mm`, or on it.
-bool is_near(GridPoint p, const Line& line, std::int64_t limit_mm) {
+bool is_nearer(GridPoint p, GridPoint q, std::int64_t limit_nm) {
+  return Wide(squared_distance(p, q)) * square(kNanometresPerMm) < square(limit_nm);
+}
+
+// True if p is nearer to the line than the limit, or on it.
+bool is_near(GridPoint p, const Line& line, std::int64_t limit_nm) {
   if (is_on_segment(p, line.a, line.b)) return true;
-  if (dot_from(line.a, line.b, p) <= 0) return squared_distance(p, line.a) < square(limit_mm);
-  if (dot_from(line.b, line.a, p) <= 0) return squared_distance(p, line.b) < square(limit_mm);
-  return square(orient(line.a, line.b, p)) < square(limit_mm) * squared_distance(line.a, line.b);
+  if (dot_from(line.a, line.b, p) <= 0) return is_nearer(p, line.a, limit_nm);
+  if (dot_from(line.b, line.a, p) <= 0) return is_nearer(p, line.b, limit_nm);
+  return square(orient(line.a, line.b, p)) * square(kNanometresPerMm) <
+         square(limit_nm) * squared_distance(line.a, line.b);
 }
 
-bool blocks(const Barrier& barrier, const BarrierLeg& leg, std::int64_t radius_mm) {
+// True if q is within 1 mm, both along and across, of the point of the line nearest to p.
+bool is_beside_foot(GridPoint q, GridPoint p, const Line& line) {
+  if (dot_from(line.a, line.b, p) <= 0) return q == line.a;
+  if (dot_from(line.b, line.a, p) <= 0) return q == line.b;
+  const Wide along = Wide(dot_from(line.a, line.b, q)) - dot_from(line.a, line.b, p);
+  return is_near(q, line, kNanometresPerMm + 1) &&
+         along * along <= squared_distance(line.a, line.b);
+}
+
+// A point of one line, and beside its foot on the other one, nearer than the diameter.
+bool is_narrow(GridPoint p, const Line& on, GridPoint q, const Line& other,
+               std::int64_t radius_nm) {
+  return is_on_segment(p, on.a, on.b) && is_near(p, other, 2 * radius_nm) &&
+         is_beside_foot(q, p, other);
+}
+
+bool blocks(const Barrier& barrier, const BarrierLeg& leg, std::int64_t radius_nm) {
   if (leg.line_from >= barrier.lines.size() || leg.line_to >= barrier.lines.size()) return false;
   const Line &from = barrier.lines[leg.line_from], &to = barrier.lines[leg.line_to];
-  if (!leg.is_gap()) return is_near(leg.from, from, radius_mm) && is_near(leg.to, from, radius_mm);
-  return radius_mm > 1 && is_near(leg.from, from, 1) && is_near(leg.to, to, 1) &&
-         squared_distance(leg.from, leg.to) < square(2 * radius_mm - 2);
+  if (!leg.is_gap()) return is_near(leg.from, from, radius_nm) && is_near(leg.to, from, radius_nm);
+  return radius_nm > 2 * kNanometresPerMm &&  // more than rounding
+         (is_narrow(leg.from, from, leg.to, to, radius_nm) ||
+          is_narrow(leg.to, to, leg.from, from, radius_nm));
+}
+
+// A gap's leg may end up to 1.5 mm beside the true way across the gap; no place between the two.
+bool is_clear_of_rounding(const BarrierLeg& leg, GridPoint p) {
+  return !leg.is_gap() || !is_near(p, {leg.from, leg.to, 0}, 2 * kNanometresPerMm);
 }
 
 // Nothing where p lies on the polygon.
@@ -43,11 +74,12 @@ std::optional<int> winding_number(const std::vector<BarrierLeg>& polygon, GridPo
 
 }  // namespace
 
-bool separates(const Barrier& barrier, GridPoint start, GridPoint goal, std::int64_t radius_mm) {
+bool separates(const Barrier& barrier, GridPoint start, GridPoint goal, std::int64_t radius_nm) {
   const auto& legs = barrier.legs;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (legs[i].to != legs[(i + 1) % legs.size()].from) return false;
-    if (!blocks(barrier, legs[i], radius_mm)) return false;
+    if (!blocks(barrier, legs[i], radius_nm)) return false;
+    if (!is_clear_of_rounding(legs[i], start) || !is_clear_of_rounding(legs[i], goal)) return false;
   }
   const auto around_start = winding_number(legs, start), around_goal = winding_number(legs, goal);
   return around_start && around_goal && *around_start != *around_goal;

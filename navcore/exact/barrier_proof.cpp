@@ -21,6 +21,12 @@ double distance_mm(GridPoint p, const Line& line) {
                   closest_point_on_segment(to_point(p), to_point(line.a), to_point(line.b)));
 }
 
+// How far p is from the line, and from the line's point nearest to the other end of its gap.
+double offside_mm(GridPoint p, GridPoint other, const Line& line) {
+  const Point foot = closest_point_on_segment(to_point(other), to_point(line.a), to_point(line.b));
+  return distance_mm(p, line) + distance(to_point(p), foot);
+}
+
 // The line for which `measure` is least, not counting line `other`.
 template <class Measure>
 std::uint32_t best_line(const std::vector<Line>& lines, std::uint32_t other, Measure measure) {
@@ -44,10 +50,10 @@ exact::BarrierLeg to_leg(const BarrierSide& side, const std::vector<Line>& lines
     });
     return leg;
   }
-  leg.line_from =
-      best_line(lines, kNoLine, [&](const Line& line) { return distance_mm(leg.from, line); });
-  leg.line_to =
-      best_line(lines, leg.line_from, [&](const Line& line) { return distance_mm(leg.to, line); });
+  leg.line_from = best_line(lines, kNoLine,
+                            [&](const Line& line) { return offside_mm(leg.from, leg.to, line); });
+  leg.line_to = best_line(lines, leg.line_from,
+                          [&](const Line& line) { return offside_mm(leg.to, leg.from, line); });
   return leg;
 }
 
@@ -76,7 +82,7 @@ bool proves_unreachable(const Map& map, RampPolicy ramps, std::span<const Barrie
     on_grid.legs.push_back(to_leg(side, on_grid.lines, frame));
   }
   return exact::separates(on_grid, frame.to_grid(start), frame.to_grid(goal),
-                          static_cast<std::int64_t>(radius_m * 1e3));
+                          static_cast<std::int64_t>(radius_m * 1e9));
 }
 
 }  // namespace mapwright::navcore

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <mutex>
 
+#include "mapcore/tolerances.hpp"
 #include "navcore/exact/barrier.hpp"
 #include "navcore/exact/cell_locator.hpp"
 #include "navcore/exact/free_faces.hpp"
+#include "navcore/exact/ground.hpp"
 #include "navcore/exact/offset.hpp"
 #include "navcore/exact/path_search.hpp"
 #include "navcore/exact/widths.hpp"
@@ -14,6 +16,7 @@
 namespace mapwright::navcore {
 
 using exact::GridPoint;
+using exact::Ground;
 
 namespace {
 
@@ -34,71 +37,17 @@ struct SearchableSpace {
   SearchableSpace& operator=(const SearchableSpace&) = delete;
 };
 
-// What the map is for a point robot: the same for all radii, and shared by their planners.
-struct Ground {
-  Border border;
-  exact::GridFrame frame;
-  std::vector<BlockingSegment> segments;  // by source of the lines
-  double snapping_mm = 0.0;
-  std::shared_ptr<const exact::Tessellation> space;
-
-  mutable std::once_flag widths_built;
-  mutable std::optional<exact::Widths> built_widths;
-
-  const exact::Widths& widths() const {
-    std::call_once(widths_built, [&] { built_widths.emplace(*space); });
-    return *built_widths;
-  }
-  bool can_ask(Point p) const { return is_finite(p) && border.contains(p); }
-};
-
 std::optional<Failure> why_not(double radius_m) {
   if (std::isfinite(radius_m) && radius_m >= 0.0) return std::nullopt;
   return Failure{FailureKind::kUsage, "the robot's radius must be a number, 0 or greater"};
 }
 
-std::optional<Failure> why_not(const Map& map, const ExactOptions& options) {
+std::optional<Failure> why_not(const ExactOptions& options) {
   if (auto failure = why_not(options.radius_m)) return failure;
-  if (options.tangents_a_quadrant < 1 || options.tangents_a_quadrant > kMostTangents) {
-    return Failure{FailureKind::kUsage, "a quarter circle needs 1 to 64 tangents"};
+  if (options.tangents_a_quadrant >= 1 && options.tangents_a_quadrant <= kMostTangents) {
+    return std::nullopt;
   }
-  const Border& border = map.border;
-  const bool finite =
-      is_finite({border.left, border.top}) && is_finite({border.right, border.bottom});
-  if (!finite || border.right - border.left < 1e-3 || border.top - border.bottom < 1e-3) {
-    return Failure{FailureKind::kInput,
-                   "the map's border has no area: its corners must be top-left and bottom-right"};
-  }
-  return std::nullopt;
-}
-
-Point centre(const Border& border) {
-  return {0.5 * (border.left + border.right), 0.5 * (border.top + border.bottom)};
-}
-
-std::optional<Failure> why_not_on_grid(const Map& map, const std::vector<BlockingSegment>& segments,
-                                       const exact::GridFrame& frame) {
-  const auto too_far = [&](const BlockingSegment& segment) {
-    return !frame.can_hold(segment.a) || !frame.can_hold(segment.b);
-  };
-  if (!frame.can_hold({map.border.left, map.border.top})) {
-    return Failure{FailureKind::kInput, "the map is wider than 1000 km"};
-  }
-  const auto far = std::find_if(segments.begin(), segments.end(), too_far);
-  if (far == segments.end()) return std::nullopt;
-  return Failure{FailureKind::kInput, "obstacle " +
-                                          std::to_string(map.obstacles[far->obstacle].id) +
-                                          " lies more than 500 km from the centre of the map"};
-}
-
-double rounding_error_mm(const std::vector<BlockingSegment>& segments,
-                         const exact::GridFrame& frame) {
-  double worst_m = 0.0;
-  for (const auto& segment : segments) {
-    worst_m = std::max({worst_m, distance(segment.a, frame.to_map(frame.to_grid(segment.a))),
-                        distance(segment.b, frame.to_map(frame.to_grid(segment.b)))});
-  }
-  return worst_m > 1e-7 ? worst_m * 1e3 : 0.0;  // what is left of decimals in doubles is no error
+  return Failure{FailureKind::kUsage, "a quarter circle needs 1 to 64 tangents"};
 }
 
 }  // namespace
@@ -148,6 +97,10 @@ struct ExactPlanner::Impl {
   std::vector<std::uint32_t> cells_at(const SearchableSpace& in, Point p) const;
   bool find_path(const SearchableSpace& in, Point start, Point goal, exact::SearchSpace& search,
                  ExactAnswer& answer) const;
+  std::optional<Point> way_out_of_gap(const SearchableSpace& in, Point at, Point direction) const;
+  bool is_clear(Point a, Point b) const;
+  bool squeeze(const SearchableSpace& in, Point start, Point goal, exact::SearchSpace& search,
+               int gaps, ExactAnswer& answer) const;
   void prove_unreachable(const SearchableSpace& in, Point start, Point goal,
                          ExactAnswer& answer) const;
   std::optional<std::uint32_t> obstacle_of(std::uint32_t source) const;
@@ -189,7 +142,7 @@ PlaceState ExactPlanner::Impl::state(Point p) const {
   return PlaceState::kFree;
 }
 
-// A path on the grid, with the places asked for at its ends.
+// A path on the grid, with the places asked for at its ends; goes on where the answer's path ends.
 bool ExactPlanner::Impl::find_path(const SearchableSpace& in, Point start, Point goal,
                                    exact::SearchSpace& search, ExactAnswer& answer) const {
   const auto path =
@@ -197,13 +150,62 @@ bool ExactPlanner::Impl::find_path(const SearchableSpace& in, Point start, Point
                                 cells_at(in, start), cells_at(in, goal), search);
   if (!path) return false;
   answer.verdict = Verdict::kReachable;
-  for (const GridPoint p : path->points) answer.path.push_back(frame().to_map(p));
-  if (answer.path.front() != start) answer.path.insert(answer.path.begin(), start);
-  if (answer.path.back() != goal || answer.path.size() == 1) answer.path.push_back(goal);
+  const auto add = [&](Point p) {
+    if (answer.path.empty() || answer.path.back() != p) answer.path.push_back(p);
+  };
+  add(start);
+  for (const GridPoint p : path->points) add(frame().to_map(p));
+  add(goal);
+  if (answer.path.size() == 1) answer.path.push_back(goal);
+  answer.length_m = 0.0;
   for (std::size_t i = 1; i < answer.path.size(); ++i) {
     answer.length_m += distance(answer.path[i - 1], answer.path[i]);
   }
   return true;
+}
+
+// True if the disc moves straight from a to b among the map's own segments.
+bool ExactPlanner::Impl::is_clear(Point a, Point b) const {
+  const double radius_m = options.radius_m - tolerance::kArithmetic_m;
+  const Box room = ground->border.box().inflated(-radius_m);
+  return room.contains(a) && room.contains(b) && !ground->index().comes_near(a, b, radius_m);
+}
+
+// The first place from the middle of a gap on where the offset free space begins.
+std::optional<Point> ExactPlanner::Impl::way_out_of_gap(const SearchableSpace& in, Point at,
+                                                        Point direction) const {
+  constexpr double kLeast_m = 0.002, kMost_m = 1000.0;
+  for (double reach_m = kLeast_m; reach_m < kMost_m; reach_m *= 1.25) {
+    const Point p = at + reach_m * direction;
+    if (!is_clear(at, p)) return std::nullopt;
+    if (!cells_at(in, p).empty()) return p;
+  }
+  return std::nullopt;
+}
+
+// A path through gaps that the disc fits and its offset does not: to the narrowest gap of the
+// widest way, straight through, and on, the parts by the same rule. `gaps`: how many may still
+// come.
+bool ExactPlanner::Impl::squeeze(const SearchableSpace& in, Point start, Point goal,
+                                 exact::SearchSpace& search, int gaps, ExactAnswer& answer) const {
+  if (find_path(in, start, goal, search, answer)) return true;
+  if (gaps == 0) return false;
+  const auto narrow = ground->widths().widest_way(frame().to_grid(start), frame().to_grid(goal));
+  if (!narrow || narrow->is_end || narrow->width_mm < 2.0 * radius_mm()) return false;
+  const Point across = (1.0 / narrow->width_mm) * (narrow->to - narrow->from);
+  const Point along{-across.y, across.x};
+  const Point at = from_mm(narrow->at);
+  const auto p = way_out_of_gap(in, at, along), q = way_out_of_gap(in, at, -1.0 * along);
+  if (!p || !q) return false;
+  for (const auto& [before, after] : {std::pair(*p, *q), std::pair(*q, *p)}) {
+    ExactAnswer way = answer;
+    if (squeeze(in, start, before, search, gaps - 1, way) &&
+        squeeze(in, after, goal, search, gaps - 1, way)) {
+      answer = std::move(way);
+      return true;
+    }
+  }
+  return false;
 }
 
 std::optional<std::uint32_t> ExactPlanner::Impl::obstacle_of(std::uint32_t source) const {
@@ -264,7 +266,7 @@ void ExactPlanner::Impl::prove_unreachable(const SearchableSpace& in, Point star
                                            ExactAnswer& answer) const {
   const auto barrier =
       exact::find_barrier(*ground->space, *in.tessellation, frame().to_grid(start),
-                          frame().to_grid(goal), static_cast<std::int64_t>(radius_mm()));
+                          frame().to_grid(goal), static_cast<std::int64_t>(options.radius_m * 1e9));
   answer.verdict = barrier || is_point() ? Verdict::kUnreachable : Verdict::kUndecided;
   if (!barrier) return;
   for (const auto& leg : barrier->legs) answer.barrier.push_back(to_side(*barrier, leg));
@@ -276,19 +278,10 @@ ExactPlanner& ExactPlanner::operator=(ExactPlanner&&) noexcept = default;
 ExactPlanner::~ExactPlanner() = default;
 
 Result<ExactPlanner> ExactPlanner::build(const Map& map, const ExactOptions& options) {
-  if (auto failure = why_not(map, options)) return tl::unexpected(std::move(*failure));
-  auto ground = std::make_shared<Ground>();
-  ground->border = map.border;
-  ground->frame = exact::GridFrame(centre(map.border));
-  ground->segments = blocking_segments(map, options.ramps);
-  if (auto failure = why_not_on_grid(map, ground->segments, ground->frame)) {
-    return tl::unexpected(std::move(*failure));
-  }
-  ground->space = std::make_shared<const exact::Tessellation>(exact::tessellate(
-      map, options.ramps, ground->frame, exact::map_lines(map, ground->segments, ground->frame)));
-  ground->snapping_mm =
-      rounding_error_mm(ground->segments, ground->frame) + ground->space->work.displacement_mm;
-  return ExactPlanner(std::make_unique<Impl>(options, std::move(ground)));
+  if (auto failure = why_not(options)) return tl::unexpected(std::move(*failure));
+  auto ground = exact::Ground::build(map, options.ramps);
+  if (!ground) return tl::unexpected(ground.error());
+  return ExactPlanner(std::make_unique<Impl>(options, *std::move(ground)));
 }
 
 Result<ExactPlanner> ExactPlanner::with_radius(double radius_m) const {
@@ -320,7 +313,10 @@ ExactAnswer ExactPlanner::plan(Point start, Point goal, ExactWorkspace& workspac
   if (&decisive != impl_->space.get() && impl_->find_path(decisive, start, goal, search, answer)) {
     return answer;
   }
-  impl_->prove_unreachable(decisive, start, goal, answer);
+  constexpr int kMostGaps = 6;
+  if (impl_->is_point() || !impl_->squeeze(decisive, start, goal, search, kMostGaps, answer)) {
+    impl_->prove_unreachable(decisive, start, goal, answer);
+  }
   return answer;
 }
 

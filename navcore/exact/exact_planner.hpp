@@ -33,8 +33,8 @@ std::string_view to_string(PlaceState state);
 enum class Verdict {
   kReachable,
   kUnreachable,
-  /// Connected or not within the error bound of the offset: a passage is within a few millimetres
-  /// as wide as the robot.
+  /// Connected or not within the error bound of the offset: a gap is at most 3 mm wider than the
+  /// robot and does not lead straight through, or a barrier would run across such a gap.
   kUndecided,
 };
 
@@ -51,7 +51,9 @@ struct ExactAnswer {
   Verdict verdict = Verdict::kUnreachable;
 
   /// The Euclidean shortest path, start first; empty where there is none. For a disc: the shortest
-  /// within the offset free space (docs/exact-planning.md states its bound).
+  /// within the offset free space (docs/exact-planning.md states its bound). Where that is cut by
+  /// gaps less than 3 mm wider than the disc: shortest paths to and from the middle of each gap,
+  /// and straight through.
   std::vector<Point> path;
   double length_m = 0.0;
 

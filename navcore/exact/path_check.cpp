@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mapcore/geometry/orientation.hpp"
+#include "navcore/exact/wall_passing.hpp"
 
 namespace mapwright::navcore {
 namespace {
@@ -51,7 +52,7 @@ bool is_path_clear(const Border& border, std::span<const BlockingSegment> segmen
     if (!border.contains(path[i])) return false;
     if (i > 0 && crosses_any(segments, path[i - 1], path[i])) return false;
   }
-  return true;
+  return !passes_where_it_touches(border, segments, path);
 }
 
 }  // namespace mapwright::navcore

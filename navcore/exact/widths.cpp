@@ -180,18 +180,27 @@ std::optional<Widths::Foot> Widths::follow_ray(std::uint32_t site, Point from, P
 Widths::Way Widths::between(const Foot& a, const Foot& b) const {
   const VoronoiEdge &edge_a = graph_.edges[a.edge], &edge_b = graph_.edges[b.edge];
   Way best;
-  if (a.edge == b.edge) best = {a.edge, measure(edge_a, a.at, b.at)};
+  if (a.edge == b.edge) {
+    best.narrowest = measure(edge_a, a.at, b.at);
+    best.edge = a.edge;
+    best.ends_mm = best.narrowest.width_mm;
+  }
   for (const std::uint32_t from : {edge_a.from, edge_a.to}) {
     for (const std::uint32_t to : {edge_b.from, edge_b.to}) {
       const auto rank = narrowest_between(from, to);
       if (!rank) continue;
       Way way{a.edge, measure(edge_a, a.at, graph_.vertices[from])};
       const Passage last = measure(edge_b, b.at, graph_.vertices[to]);
+      way.ends_mm = std::min(way.narrowest.width_mm, last.width_mm);
       if (last.width_mm < way.narrowest.width_mm) way = {b.edge, last};
       if (*rank != kNone && passages_[order_[*rank]].width_mm < way.narrowest.width_mm) {
         way = {order_[*rank], passages_[order_[*rank]]};
       }
-      if (way.narrowest.width_mm > best.narrowest.width_mm) best = way;
+      // Of equally wide ways the one that does not begin or end with a detour through a gap.
+      const bool is_even = way.narrowest.width_mm == best.narrowest.width_mm;
+      if (is_even ? way.ends_mm > best.ends_mm : way.narrowest.width_mm > best.narrowest.width_mm) {
+        best = way;
+      }
     }
   }
   return best;

@@ -63,6 +63,7 @@ class Widths {
   struct Way {
     std::uint32_t edge = 0;
     Passage narrowest{-1.0, {}};
+    double ends_mm = -1.0;  // width on the first and the last edge of the medial axis
   };
 
   // A segment of index_, and the sites of its inside and its ends.

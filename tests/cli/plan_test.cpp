@@ -84,14 +84,18 @@ TEST_F(PlanVerb, AnswersExactlyWhereThereIsAWay) {
   EXPECT_FALSE(query.contains("barrier"));
 }
 
-TEST_F(PlanVerb, SaysWhereTheExactAnswerIsWithinItsError) {
-  const Json answer =
-      plan_json({"--start", "5,2", "--goal", "19,9", "--planner", "exact", "--radius", "0.4"}, 1);
-  const Json& query = answer["queries"][0];
-  EXPECT_EQ(query["solved"], false);
-  EXPECT_TRUE(query["reachable"].is_null());
-  EXPECT_NEAR(query["bottleneck_m"], 0.8, 1e-9);
-  EXPECT_NE(query["reason"].get<std::string>().find("within the error"), std::string::npos);
+TEST_F(PlanVerb, DecidesExactlyWhetherTheRobotFitsADoor) {
+  const auto query = [&](const char* radius, int status) {
+    return plan_json({"--start", "5,2", "--goal", "19,9", "--planner", "exact", "--radius", radius},
+                     status)["queries"][0];
+  };
+  const Json fits = query("0.4", 0);
+  EXPECT_EQ(fits["reachable"], true);
+  EXPECT_NEAR(fits["bottleneck_m"], 0.8, 1e-12);
+  EXPECT_NEAR(fits["min_clearance_m"], 0.4, 1e-9);
+  const Json stuck = query("0.400001", 1);
+  EXPECT_EQ(stuck["reachable"], false);
+  EXPECT_GE(stuck["barrier"].size(), 4U);
 }
 
 TEST_F(PlanVerb, AnswersExactlyWhereThereIsNone) {

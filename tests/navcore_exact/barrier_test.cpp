@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <deque>
 
 #include "navcore/exact/barrier_proof.hpp"
@@ -33,32 +34,65 @@ Barrier around_room() {
 constexpr GridPoint kInside{5000, 5000}, kOutside{-3000, 5000};
 
 TEST(BarrierCheck, AcceptsARoomWhoseDoorIsTooNarrow) {
-  EXPECT_TRUE(separates(around_room(), kInside, kOutside, 402));
-  EXPECT_TRUE(separates(around_room(), kOutside, kInside, 500));
+  EXPECT_TRUE(separates(around_room(), kInside, kOutside, 400'000'001));
+  EXPECT_TRUE(separates(around_room(), kOutside, kInside, 500'000'000));
 }
 
 TEST(BarrierCheck, RefusesADoorThatIsWideEnough) {
-  EXPECT_FALSE(separates(around_room(), kInside, kOutside, 400));
-  EXPECT_FALSE(separates(around_room(), kInside, kOutside, 401));  // within the margin
+  EXPECT_FALSE(separates(around_room(), kInside, kOutside, 400'000'000));  // touches both posts
+  EXPECT_FALSE(separates(around_room(), kInside, kOutside, 399'999'999));
   EXPECT_FALSE(separates(around_room(), kInside, kOutside, 0));
 }
 
 TEST(BarrierCheck, RefusesWhatDoesNotSeparate) {
-  EXPECT_FALSE(separates(around_room(), kInside, {6000, 6000}, 500));
-  EXPECT_FALSE(separates(around_room(), {0, 7000}, kOutside, 500));  // lies on it
-  EXPECT_FALSE(separates({}, kInside, kOutside, 500));
+  EXPECT_FALSE(separates(around_room(), kInside, {6000, 6000}, 500'000'000));
+  EXPECT_FALSE(separates(around_room(), {0, 7000}, kOutside, 500'000'000));  // lies on it
+  EXPECT_FALSE(separates({}, kInside, kOutside, 500'000'000));
+}
+
+// A corner 0.5 m off a slanted wall: the foot lies beside the grid, the width is irrational.
+TEST(BarrierCheck, ComparesTheWidthOfAGapExactly) {
+  Barrier barrier;
+  barrier.lines = {{{0, 10000}, {0, 900}, 0},
+                   {{-1000, -500}, {10000, 700}, 1},
+                   {{10000, 700}, {10000, 10000}, 2},
+                   {{10000, 10000}, {0, 10000}, 3}};
+  // From the corner (0, 900) to the wall y = -500 + 12/110 (x + 1000).
+  const double width_nm =
+      1e6 * (900.0 + 500.0 - 1000.0 * 12.0 / 110.0) / std::hypot(1.0, 12.0 / 110.0);
+  const double x_mm =
+      (900.0 + 500.0 - 1000.0 * 12.0 / 110.0) * (12.0 / 110.0) / (1.0 + 144.0 / 12100.0);
+  const GridPoint foot{
+      static_cast<std::int32_t>(std::lround(x_mm)),
+      static_cast<std::int32_t>(std::lround(-500.0 + 12.0 / 110.0 * (x_mm + 1000.0)))};
+  barrier.legs = {{{0, 10000}, {0, 900}, 0, 0},
+                  {{0, 900}, foot, 0, 1},
+                  {foot, {10000, 700}, 1, 1},
+                  {{10000, 700}, {10000, 10000}, 2, 2},
+                  {{10000, 10000}, {0, 10000}, 3, 3}};
+  const auto half = static_cast<std::int64_t>(std::floor(0.5 * width_nm));
+  EXPECT_FALSE(separates(barrier, kInside, kOutside, half));
+  EXPECT_TRUE(separates(barrier, kInside, kOutside, half + 1));
+  barrier.legs[1].to.x += 2, barrier.legs[2].from.x += 2;  // not the foot
+  EXPECT_FALSE(separates(barrier, kInside, kOutside, half + 1));
+}
+
+TEST(BarrierCheck, RefusesPlacesWithinRoundingOfAGap) {
+  EXPECT_TRUE(separates(around_room(), {3, 4600}, kOutside, 500'000'000));
+  EXPECT_FALSE(separates(around_room(), {1, 4600}, kOutside, 500'000'000));
+  EXPECT_FALSE(separates(around_room(), kInside, {-1, 4600}, 500'000'000));
 }
 
 TEST(BarrierCheck, RefusesAnOpenChainAndLegsAwayFromTheirLines) {
   Barrier open = around_room();
   open.legs.pop_back();
-  EXPECT_FALSE(separates(open, kInside, kOutside, 500));
+  EXPECT_FALSE(separates(open, kInside, kOutside, 500'000'000));
   Barrier away = around_room();
   away.lines[1] = {{10501, 0}, {10501, 10000}, 1};
-  EXPECT_FALSE(separates(away, kInside, kOutside, 500));
+  EXPECT_FALSE(separates(away, kInside, kOutside, 500'000'000));
   Barrier nowhere = around_room();
   nowhere.legs[0].line_from = nowhere.legs[0].line_to = 99;
-  EXPECT_FALSE(separates(nowhere, kInside, kOutside, 500));
+  EXPECT_FALSE(separates(nowhere, kInside, kOutside, 500'000'000));
 }
 
 // From the safe side: a robot that floods the map by cells and is let through wherever a point of

@@ -32,7 +32,7 @@ TEST(DiscPlanner, GoesAroundACornerInACircle) {
   EXPECT_NEAR(coarse.length_m, exact_m, 0.05);
 }
 
-TEST(DiscPlanner, DecidesGapsToWithinItsBound) {
+TEST(DiscPlanner, DecidesGapsExactly) {
   Map map{{0, 10, 10, 0}, {}};
   map.obstacles.push_back(test::wall(1, {5, 0}, {5, 4.5}, 1.0));
   map.obstacles.push_back(test::wall(2, {5, 5.5}, {5, 10}, 1.0));
@@ -40,8 +40,12 @@ TEST(DiscPlanner, DecidesGapsToWithinItsBound) {
     return planner_of(map, {.radius_m = radius_m}).plan({2, 2}, {8, 8});
   };
   EXPECT_EQ(reachable(0.495).verdict, Verdict::kReachable);  // coarse tangents refuse
-  EXPECT_EQ(reachable(0.5).verdict, Verdict::kUndecided);
-  const auto blocked = reachable(0.502);
+  const auto tight = reachable(0.5);                         // touches both ends
+  EXPECT_EQ(tight.verdict, Verdict::kReachable);
+  EXPECT_TRUE(
+      is_path_clear(map.border, blocking_segments(map, RampPolicy::kFree), tight.path, 0.5));
+  EXPECT_NEAR(tight.length_m, 8.5, 0.1);
+  const auto blocked = reachable(0.500001);
   EXPECT_EQ(blocked.verdict, Verdict::kUnreachable);
   ASSERT_FALSE(blocked.barrier.empty());
   const auto gap = std::find_if(blocked.barrier.begin(), blocked.barrier.end(),
