@@ -20,3 +20,14 @@ set_target_properties(mapwright_geographiclib PROPERTIES
 # which the exact predicates rely on.
 add_library(mapwright_cgal INTERFACE IMPORTED GLOBAL)
 set_target_properties(mapwright_cgal PROPERTIES INTERFACE_LINK_LIBRARIES CGAL::CGAL)
+
+# Osmium (OpenStreetMap files) is headers only; what they need is not.
+find_path(MAPWRIGHT_OSMIUM_INCLUDE_DIR osmium/osm.hpp REQUIRED)
+find_package(EXPAT REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(BZip2 REQUIRED)
+find_package(Threads REQUIRED)
+add_library(mapwright_osmium INTERFACE IMPORTED GLOBAL)
+set_target_properties(mapwright_osmium PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES ${MAPWRIGHT_OSMIUM_INCLUDE_DIR}
+  INTERFACE_LINK_LIBRARIES "EXPAT::EXPAT;ZLIB::ZLIB;BZip2::BZip2;Threads::Threads")

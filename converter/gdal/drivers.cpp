@@ -5,8 +5,13 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <mutex>
+#include <string_view>
+
+#include "converter/gdal/messages.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -16,17 +21,16 @@ struct AllowedDriver {
   void (*enlist)();
 };
 
-// One line a driver. KML is read by GDAL's own driver: the one on top of libkml crashes on some
-// damaged files (gx:Track without when).
+// One line a driver. LIBKML comes before KML, which knows no attributes but name and description.
 constexpr AllowedDriver kAllowed[] = {
     {"ESRI Shapefile", RegisterOGRShape},
     {"GPKG", RegisterOGRGeoPackage},
     {"GeoJSON", RegisterOGRGeoJSON},
     {"FlatGeobuf", RegisterOGRFlatGeobuf},
+    {"LIBKML", RegisterOGRLIBKML},
     {"KML", RegisterOGRKML},
     {"GML", RegisterOGRGML},
     {"DXF", RegisterOGRDXF},
-    {"OSM", RegisterOGROSM},
     {"CSV", RegisterOGRCSV},
     {"MapInfo File", RegisterOGRTAB},
 };
@@ -64,6 +68,11 @@ void enlist_everything() {
   std::call_once(once, [] { GDALAllRegister(); });
 }
 
+// Formats of local files that people come with, and GDAL reads if it is allowed to.
+constexpr std::array<std::string_view, 11> kOfferedDrivers{
+    "SQLite", "TopoJSON", "ESRIJSON",    "GeoJSONSeq", "CAD", "DGN",
+    "GPX",    "JML",      "OpenFileGDB", "PGDUMP",     "S57"};
+
 }  // namespace
 
 const std::vector<std::string>& default_drivers() {
@@ -87,6 +96,19 @@ Result<std::vector<std::string>> allow_drivers(const std::vector<std::string>& e
     names.push_back(name);
   }
   return names;
+}
+
+std::string driver_hint(const std::string& path) {
+  enlist_everything();
+  const GdalMessages quiet;
+  auto* driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, nullptr, nullptr);
+  if (driver == nullptr) return {};
+  const std::string name = GDALGetDriverShortName(driver);
+  if (name == "OGR_VRT") return "it points to other files: give those instead";
+  if (std::find(kOfferedDrivers.begin(), kOfferedDrivers.end(), name) == kOfferedDrivers.end()) {
+    return {};
+  }
+  return "GDAL's driver " + name + " may read it: allow it with --allow-driver " + name;
 }
 
 }  // namespace mapwright::converter

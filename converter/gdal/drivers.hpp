@@ -16,4 +16,7 @@ const std::vector<std::string>& default_drivers();
 /// have.
 Result<std::vector<std::string>> allow_drivers(const std::vector<std::string>& extra);
 
+/// What to do about a file that none of the allowed drivers knows; empty where there is no advice.
+std::string driver_hint(const std::string& path);
+
 }  // namespace mapwright::converter

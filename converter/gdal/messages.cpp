@@ -18,6 +18,11 @@ void CPL_STDCALL on_message(CPLErr severity, CPLErrorNum /*number*/, const char*
 
 }  // namespace
 
+// "In file ./port/cpl_vsil_gzip.cpp, at line 812, return -1"
+std::string without_source_line(const std::string& message) {
+  return message.rfind("In file ", 0) == 0 ? "its compressed data is damaged" : message;
+}
+
 GdalMessages::GdalMessages() {
   CPLPushErrorHandlerEx(on_message, this);
 }

@@ -7,6 +7,9 @@
 
 namespace mapwright::converter {
 
+/// A message of GDAL without the place in GDAL's own source code that some begin with.
+std::string without_source_line(const std::string& message);
+
 /// Catches GDAL's messages on this thread for as long as it lives. They may be nested.
 class GdalMessages {
  public:

@@ -2,34 +2,13 @@
 
 #include <filesystem>
 
+#include "converter/gdal/drivers.hpp"
 #include "converter/gdal/messages.hpp"
+#include "converter/gdal/private_copy.hpp"
 #include "converter/gdal/shapefile_check.hpp"
 
 namespace mapwright::converter {
 namespace {
-
-namespace fs = std::filesystem;
-
-// GDAL takes many texts for names of data sets; a source is a file or folder of this machine.
-Result<void> check_path(const std::string& path) {
-  if (path.find("/vsi") != path.npos || path.find("://") != path.npos) {
-    return usage_failure(path +
-                         ": is no local file or folder: remote and virtual sources are refused; "
-                         "fetch or unpack it first");
-  }
-  std::error_code error;
-  if (!fs::exists(path, error)) return input_failure(path + ": there is no such file or folder");
-  if (fs::is_directory(path, error)) {
-    fs::directory_iterator entries(path, error);
-    if (error) return input_failure(path + ": cannot be read: " + error.message());
-    if (entries == fs::directory_iterator()) return input_failure(path + ": the folder is empty");
-    return {};
-  }
-  const auto size = fs::file_size(path, error);
-  if (error) return input_failure(path + ": cannot be read: " + error.message());
-  if (size == 0) return input_failure(path + ": the file is empty");
-  return {};
-}
 
 Result<std::vector<std::string>> check_shapefiles(const std::string& path) {
   std::vector<std::string> warnings;
@@ -58,40 +37,40 @@ bool is_about_open_options(const std::string& warning) {
   return warning.find("open option") != warning.npos;
 }
 
-std::string refusal(const std::string& path, const GdalMessages& messages) {
-  std::string text = path +
+std::string refusal(const GdalInput& input, const GdalMessages& messages, bool is_known_format) {
+  const std::string reason =
+      messages.has_error() ? ": " + without_source_line(messages.first_error()) : std::string();
+  if (is_known_format) return input.title + ": cannot be read" + reason;
+  std::string text = input.title +
                      ": is no GIS file that can be read here (Shapefile, GeoPackage, GeoJSON, "
-                     "FlatGeobuf, KML, GML, DXF, OSM, CSV, MapInfo)";
-  if (messages.has_error()) text += ": " + messages.first_error();
+                     "FlatGeobuf, KML, GML, DXF, OSM, CSV, MapInfo, or a zip file of these)";
+  if (const auto hint = driver_hint(input.path); !hint.empty()) text += "; " + hint;
   return text;
 }
 
 }  // namespace
 
-Result<OpenedDataset> open_dataset(const std::string& path,
-                                   const std::vector<std::string>& drivers) {
-  if (auto checked = check_path(path); !checked) return tl::unexpected(checked.error());
-  auto shapefile_warnings = check_shapefiles(path);
+Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& notice) {
+  auto shapefile_warnings = check_shapefiles(input.path);
   if (!shapefile_warnings) return tl::unexpected(shapefile_warnings.error());
-
   OpenedDataset opened;
   opened.warnings = *std::move(shapefile_warnings);
-  fs::path readable = path;
-  if (reading_leaves_traces(path)) {
-    auto folder = PrivateFolder::create();
-    if (!folder) return tl::unexpected(folder.error());
-    auto copy = copy_database(path, **folder);
+  std::filesystem::path readable = input.path;
+  if (!input.folder.empty()) {
+    auto copy = copy_database(input.path, input.folder);
     if (!copy) return tl::unexpected(copy.error());
-    opened.folder = *std::move(folder);
     readable = *copy;
   }
   GdalMessages messages;
+  const auto drivers = null_terminated(input.drivers);
+  auto* candidate = GDALIdentifyDriverEx(readable.c_str(), GDAL_OF_VECTOR, drivers.data(), nullptr);
+  if (candidate != nullptr) notice(GDALGetDriverShortName(candidate));
   opened.dataset.reset(GDALDataset::Open(readable.c_str(),
                                          GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                         null_terminated(drivers).data(), kOpenOptions, nullptr));
-  if (!opened.dataset) return input_failure(refusal(path, messages));
+                                         drivers.data(), kOpenOptions, nullptr));
+  if (!opened.dataset) return input_failure(refusal(input, messages, candidate != nullptr));
   for (auto& warning : messages.take_warnings()) {
-    if (!is_about_open_options(warning)) opened.warnings.push_back(path + ": " + warning);
+    if (!is_about_open_options(warning)) opened.warnings.push_back(input.title + ": " + warning);
   }
   return opened;
 }

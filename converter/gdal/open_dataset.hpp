@@ -3,23 +3,20 @@
 
 #include <gdal_priv.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "converter/gdal/private_copy.hpp"
+#include "converter/gdal/gdal_reader.hpp"
 #include "mapcore/result.hpp"
 
 namespace mapwright::converter {
 
 struct OpenedDataset {
-  std::unique_ptr<PrivateFolder> folder;  // outlives the data set, which may lie in it
   GDALDatasetUniquePtr dataset;
   std::vector<std::string> warnings;
 };
 
 /// Opens a local file or folder with one of the drivers named.
-Result<OpenedDataset> open_dataset(const std::string& path,
-                                   const std::vector<std::string>& drivers);
+Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& notice);
 
 }  // namespace mapwright::converter

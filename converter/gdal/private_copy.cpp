@@ -34,8 +34,8 @@ bool reading_leaves_traces(const fs::path& database) {
          fs::exists(database.string() + "-wal", error);
 }
 
-Result<fs::path> copy_database(const fs::path& database, const PrivateFolder& folder) {
-  const fs::path copy = folder.path() / database.filename();
+Result<fs::path> copy_database(const fs::path& database, const fs::path& folder) {
+  const fs::path copy = folder / database.filename();
   for (const char* suffix : {"", "-wal", "-journal"}) {
     const fs::path from = database.string() + suffix;
     std::error_code error;

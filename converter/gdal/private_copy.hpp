@@ -30,6 +30,6 @@ bool reading_leaves_traces(const std::filesystem::path& database);
 
 /// Copies the database with its log and journal into `folder`; returns the copy's path.
 Result<std::filesystem::path> copy_database(const std::filesystem::path& database,
-                                            const PrivateFolder& folder);
+                                            const std::filesystem::path& folder);
 
 }  // namespace mapwright::converter

@@ -4,8 +4,9 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
-#include <fstream>
 #include <optional>
+
+#include "converter/gdal/stored_file.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -30,8 +31,7 @@ std::optional<fs::path> sibling(const fs::path& shp, const std::string& extensio
     }
     fs::path path = shp;
     path.replace_extension(name);
-    std::error_code error;
-    if (fs::is_regular_file(path, error)) return path;
+    if (stored_bytes(path.string())) return path;
   }
   return std::nullopt;
 }
@@ -39,8 +39,8 @@ std::optional<fs::path> sibling(const fs::path& shp, const std::string& extensio
 template <std::size_t N>
 std::optional<std::array<unsigned char, N>> first_bytes(const fs::path& path) {
   std::array<unsigned char, N> bytes{};
-  std::ifstream in(path, std::ios::binary);
-  if (!in.read(reinterpret_cast<char*>(bytes.data()), N)) return std::nullopt;
+  const StoredFile file(path.string());
+  if (file.read(0, bytes.data(), N) != N) return std::nullopt;
   return bytes;
 }
 
@@ -57,14 +57,12 @@ std::uint32_t little_endian(const unsigned char* bytes) {
 }
 
 std::uint64_t size_of(const fs::path& path) {
-  std::error_code error;
-  const auto size = fs::file_size(path, error);
-  return error ? 0 : size;
+  return stored_bytes(path.string()).value_or(0);
 }
 
 // Checks the common header of .shp and .shx, and that the file is as long as it says.
 Result<std::uint64_t> declared_bytes(const fs::path& path) {
-  if (std::error_code error; !fs::exists(path, error)) {
+  if (!stored_bytes(path.string())) {
     return input_failure(path.string() +
                          ": this part of the shapefile is missing; it holds the shapes");
   }

@@ -86,9 +86,14 @@ void LayerConverter::convert(SourceFeature& feature) {
 // Whether there is anything to convert.
 bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) {
   auto& ledger = workspace_.ledger;
-  for (const auto& warning : feature.warnings) ledger.remark(account, FindingCode::C224, warning);
   if (!feature.selected) {
     ledger.drop(account, FindingCode::C214, "not selected by --where");
+    return false;
+  }
+  for (const auto& warning : feature.warnings) ledger.change(account, FindingCode::C224, warning);
+  if (!feature.broken.empty()) {
+    // Only what a rule would have made something of is lost.
+    if (interprets(feature, account)) ledger.drop(account, FindingCode::C229, feature.broken);
     return false;
   }
   const auto& geometry = feature.geometry;
@@ -111,7 +116,8 @@ bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) 
 
 // Whether a rule makes something of it.
 bool LayerConverter::interprets(const SourceFeature& feature, std::size_t account) {
-  rules_.interpret(feature, geometry_kind(feature.geometry), meaning_);
+  const auto kind = feature.broken.empty() ? geometry_kind(feature.geometry) : job_.info().geometry;
+  rules_.interpret(feature, kind, meaning_);
   if (meaning_.rule == nullptr) {
     workspace_.ledger.drop(account, FindingCode::C209, "no rule of " + job_.rules->name + " fits");
     return false;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "converter/gdal/archive.hpp"
 #include "converter/rules/rule_reader.hpp"
 
 namespace mapwright::converter {
@@ -27,8 +28,8 @@ Failure without_crs(const VectorSource& source, const LayerInfo& layer) {
 std::string place_of(const VectorSource& source) {
   const fs::path path(source.path());
   std::error_code error;
-  const bool is_single_shapefile =
-      source.driver() == "ESRI Shapefile" && !fs::is_directory(path, error);
+  const bool is_single_shapefile = source.driver() == "ESRI Shapefile" &&
+                                   !fs::is_directory(path, error) && !is_archive(path.string());
   return is_single_shapefile ? path.parent_path().string() : path.string();
 }
 
@@ -140,7 +141,9 @@ Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& option
 Result<GeoPoint> center_of(const OpenedSources& sources, bool swap_axes) {
   Box all = kEmptyBox;
   for (const auto& job : sources.jobs) {
-    const auto box = job.source->extent(job.layer);
+    const auto extent = job.source->extent(job.layer);
+    if (!extent) return tl::unexpected(extent.error());
+    const auto& box = *extent;
     if (!box || !job.crs.is_stated()) continue;
     const auto transform = CrsTransform::create(job.crs);
     if (!transform) return tl::unexpected(transform.error());

@@ -52,6 +52,7 @@ struct SourceFeature {
   std::int64_t fid = 0;
   std::vector<FieldValue> values;  ///< by LayerInfo::fields
   SourceGeometry geometry;
+  std::string broken;                 ///< why its geometry cannot be read; empty for sound features
   bool selected = true;               ///< false: `--where` does not hold for it
   std::vector<std::string> warnings;  ///< what the driver said while reading it
   std::vector<std::string>

@@ -105,7 +105,7 @@ TEST_F(BadInput, TruncatedDbf) {
 
 TEST_F(BadInput, TruncatedGeoJson) {
   refuse(folder_.file("a.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature")"),
-         3, "is no GIS file");
+         3, "a.geojson: cannot be read: ");
 }
 
 TEST_F(BadInput, GeoPackageWithoutCrs) {

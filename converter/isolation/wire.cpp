@@ -1,0 +1,133 @@
+#include "converter/isolation/wire.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+// By the variant's alternatives. A text keeps its memory from feature to feature.
+void put_value(WireWriter& wire, const FieldValue& value) {
+  wire.put(static_cast<std::uint8_t>(value.index()));
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) wire.put(*whole);
+  if (const auto* number = std::get_if<double>(&value)) wire.put(*number);
+  if (const auto* text = std::get_if<std::string>(&value)) wire.put(*text);
+}
+
+void get_value(WireReader& wire, FieldValue& value) {
+  std::uint8_t kind = 0;
+  wire.get(kind);
+  switch (kind) {
+    case 1:
+      return wire.get(value.emplace<std::int64_t>());
+    case 2:
+      return wire.get(value.emplace<double>());
+    case 3:
+      if (!std::holds_alternative<std::string>(value)) value.emplace<std::string>();
+      return wire.get(std::get<std::string>(value));
+    default:
+      value.emplace<std::monostate>();
+  }
+}
+
+void put_crs(WireWriter& wire, const Crs& crs) {
+  wire.put(crs.code);
+  wire.put(crs.name);
+  wire.put(crs.wkt);
+  wire.put(crs.geographic);
+  wire.put(crs.metres_per_unit);
+}
+
+void get_crs(WireReader& wire, Crs& crs) {
+  wire.get(crs.code);
+  wire.get(crs.name);
+  wire.get(crs.wkt);
+  wire.get(crs.geographic);
+  wire.get(crs.metres_per_unit);
+}
+
+}  // namespace
+
+void put(WireWriter& wire, const SourceFeature& feature) {
+  wire.put(feature.fid);
+  wire.put(static_cast<std::uint32_t>(feature.values.size()));
+  for (const auto& value : feature.values) put_value(wire, value);
+  const auto& geometry = feature.geometry;
+  wire.put(geometry.xs);
+  wire.put(geometry.ys);
+  wire.put(geometry.zs);
+  wire.put(geometry.paths);
+  wire.put(geometry.type);
+  wire.put(geometry.unsupported);
+  wire.put(feature.broken);
+  wire.put(feature.selected);
+  wire.put(feature.warnings);
+  wire.put(feature.reencoded);
+}
+
+void get(WireReader& wire, SourceFeature& feature) {
+  wire.get(feature.fid);
+  std::uint32_t values = 0;
+  wire.get(values);
+  if (!wire.good()) return;
+  feature.values.resize(values);
+  for (auto& value : feature.values) get_value(wire, value);
+  auto& geometry = feature.geometry;
+  wire.get(geometry.xs);
+  wire.get(geometry.ys);
+  wire.get(geometry.zs);
+  wire.get(geometry.paths);
+  wire.get(geometry.type);
+  wire.get(geometry.unsupported);
+  wire.get(feature.broken);
+  wire.get(feature.selected);
+  wire.get(feature.warnings);
+  wire.get(feature.reencoded);
+}
+
+void put(WireWriter& wire, const std::vector<LayerInfo>& layers) {
+  wire.put(static_cast<std::uint32_t>(layers.size()));
+  for (const auto& layer : layers) {
+    wire.put(layer.name);
+    wire.put(layer.fields);
+    wire.put(layer.geometry);
+    put_crs(wire, layer.crs);
+    wire.put(layer.declared_features);
+  }
+}
+
+void get(WireReader& wire, std::vector<LayerInfo>& layers) {
+  std::uint32_t count = 0;
+  wire.get(count);
+  for (std::uint32_t i = 0; i < count && wire.good(); ++i) {
+    auto& layer = layers.emplace_back();
+    wire.get(layer.name);
+    wire.get(layer.fields);
+    wire.get(layer.geometry);
+    get_crs(wire, layer.crs);
+    wire.get(layer.declared_features);
+  }
+}
+
+void put(WireWriter& wire, const ReadOptions& options) {
+  wire.put(options.where);
+  wire.put(options.sagitta_m);
+  wire.put(options.fields);
+  wire.put(options.keep_broken);
+}
+
+void get(WireReader& wire, ReadOptions& options) {
+  wire.get(options.where);
+  wire.get(options.sagitta_m);
+  wire.get(options.fields);
+  wire.get(options.keep_broken);
+}
+
+void put(WireWriter& wire, const Failure& failure) {
+  wire.put(failure.kind);
+  wire.put(failure.message);
+}
+
+void get(WireReader& wire, Failure& failure) {
+  wire.get(failure.kind);
+  wire.get(failure.message);
+}
+
+}  // namespace mapwright::converter

@@ -1,0 +1,21 @@
+// Private to this folder: areas of multipolygon relations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "converter/osm/osm_data.hpp"
+#include "converter/source/feature.hpp"
+
+namespace mapwright::converter {
+
+/// Puts a multipolygon together from the ways of its relation and appends its rings to `geometry`.
+/// Ways are those the file holds.
+///
+/// Rings that cross or overlap cannot be told apart: they are all appended as rings of one polygon,
+/// if they close, for whoever repairs polygons; then, and where nothing could be appended, the
+/// answer says what is wrong. It is empty for a sound multipolygon.
+std::string append_multipolygon(const std::vector<const OsmWay*>& ways, const OsmRelation& relation,
+                                const OsmData& data, SourceGeometry& geometry);
+
+}  // namespace mapwright::converter

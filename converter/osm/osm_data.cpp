@@ -1,0 +1,100 @@
+#include "converter/osm/osm_data.hpp"
+
+#include <exception>
+#include <osmium/io/bzip2_compression.hpp>
+#include <osmium/io/gzip_compression.hpp>
+#include <osmium/io/pbf_input.hpp>
+#include <osmium/io/reader.hpp>
+#include <osmium/io/xml_input.hpp>
+#include <osmium/osm.hpp>
+
+namespace mapwright::converter {
+namespace {
+
+OsmTags tags_of(const osmium::TagList& from, OsmData& data) {
+  OsmTags tags;
+  for (const auto& tag : from) tags.emplace_back(data.key(tag.key()), tag.value());
+  return tags;
+}
+
+void add_node(const osmium::Node& from, OsmData& data) {
+  if (!from.location().valid()) return;
+  data.places.insert_or_assign(from.id(), Point{from.location().lon(), from.location().lat()});
+  if (!from.tags().empty()) data.nodes.push_back({from.id(), tags_of(from.tags(), data)});
+}
+
+void add_way(const osmium::Way& from, OsmData& data) {
+  OsmWay way{from.id(), {}, tags_of(from.tags(), data)};
+  for (const auto& node : from.nodes()) {
+    way.nodes.push_back(node.ref());
+    if (!node.location().valid()) continue;  // Overpass writes places of nodes into the ways
+    data.places.try_emplace(node.ref(), Point{node.location().lon(), node.location().lat()});
+  }
+  data.ways.push_back(std::move(way));
+}
+
+void add_relation(const osmium::Relation& from, OsmData& data) {
+  OsmRelation relation{from.id(), {}, 0, tags_of(from.tags(), data)};
+  for (const auto& member : from.members()) {
+    if (member.type() == osmium::item_type::way)
+      relation.ways.push_back({member.ref(), member.role()});
+    else
+      ++relation.other_members;
+  }
+  data.relations.push_back(std::move(relation));
+}
+
+void add(const osmium::OSMObject& object, OsmData& data) {
+  if (!object.visible()) return;
+  switch (object.type()) {
+    case osmium::item_type::node:
+      return add_node(static_cast<const osmium::Node&>(object), data);
+    case osmium::item_type::way:
+      return add_way(static_cast<const osmium::Way&>(object), data);
+    case osmium::item_type::relation:
+      return add_relation(static_cast<const osmium::Relation&>(object), data);
+    default:
+      return;
+  }
+}
+
+}  // namespace
+
+std::uint32_t OsmData::key(const std::string& name) {
+  const auto [found, is_new] =
+      key_numbers_.try_emplace(name, static_cast<std::uint32_t>(keys.size()));
+  if (is_new) keys.push_back(name);
+  return found->second;
+}
+
+const std::string* OsmData::tag(const OsmTags& tags, const std::string& key) const {
+  const auto number = key_numbers_.find(key);
+  if (number == key_numbers_.end()) return nullptr;
+  for (const auto& [own, value] : tags) {
+    if (own == number->second) return &value;
+  }
+  return nullptr;
+}
+
+bool OsmData::has(const OsmTags& tags, const std::string& key, const std::string& value) const {
+  const auto* found = tag(tags, key);
+  return found != nullptr && *found == value;
+}
+
+Result<OsmData> read_osm(const std::string& path) {
+  OsmData data;
+  try {
+    osmium::io::Reader reader(osmium::io::File{path}, osmium::osm_entity_bits::nwr);
+    while (const auto buffer = reader.read()) {
+      for (const auto& object : buffer.select<osmium::OSMObject>()) add(object, data);
+    }
+    reader.close();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return input_failure(std::string("the OSM file is damaged: ") + error.what());
+  }
+  return data;
+}
+
+}  // namespace mapwright::converter

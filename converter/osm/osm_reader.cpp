@@ -1,0 +1,272 @@
+#include "converter/osm/osm_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <set>
+#include <unordered_map>
+
+#include "converter/gdal/feature_filter.hpp"
+#include "converter/osm/osm_areas.hpp"
+#include "converter/osm/osm_data.hpp"
+#include "converter/osm/osm_layers.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+using Form = OsmItem::Form;
+using NodePair = std::pair<std::int64_t, std::int64_t>;
+
+NodePair unordered(std::int64_t a, std::int64_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// Makes features of the objects of one layer, in order.
+class FeatureMaker {
+ public:
+  FeatureMaker(const OsmData& data, const OsmLayer& layer) : data_(data) {
+    for (const auto& item : layer.items) {
+      if (item.form == Form::kPassage) add_edges(data.ways[item.index], taken_);
+    }
+    if (layer.name != "multipolygons") return;
+    for (std::size_t i = 0; i < data.ways.size(); ++i) way_numbers_.emplace(data.ways[i].id, i);
+  }
+
+  void make(const OsmItem& item, SourceFeature& feature) {
+    feature.geometry.clear();
+    feature.warnings.clear();
+    feature.broken.clear();
+    feature.fid = id_of(item);
+    switch (item.form) {
+      case Form::kPoint:
+        return make_point(data_.nodes[item.index], feature);
+      case Form::kLine:
+      case Form::kPassage:
+        return make_line(data_.ways[item.index], feature);
+      case Form::kPolygon:
+        return make_polygon(data_.ways[item.index], feature);
+      case Form::kMultipolygon:
+        return make_multipolygon(data_.relations[item.index], feature);
+      case Form::kRelation:
+        return make_relation(data_.relations[item.index], feature);
+      case Form::kWalls:
+        return make_walls(data_.ways[item.index], feature);
+    }
+  }
+
+ private:
+  std::int64_t id_of(const OsmItem& item) const {
+    if (item.form == Form::kPoint) return data_.nodes[item.index].id;
+    const bool relation = item.form == Form::kMultipolygon || item.form == Form::kRelation;
+    return relation ? data_.relations[item.index].id : data_.ways[item.index].id;
+  }
+
+  static void add_edges(const OsmWay& way, std::set<NodePair>& edges) {
+    for (std::size_t i = 0; i + 1 < way.nodes.size(); ++i) {
+      edges.insert(unordered(way.nodes[i], way.nodes[i + 1]));
+    }
+  }
+
+  static void append(Point place, SourceGeometry& geometry) {
+    geometry.xs.push_back(place.x);
+    geometry.ys.push_back(place.y);
+  }
+
+  void make_point(const OsmNode& node, SourceFeature& feature) const {
+    feature.geometry.type = "POINT";
+    feature.geometry.paths.push_back({0, 1, PathRole::kPoint, false});
+    append(data_.places.at(node.id), feature.geometry);
+  }
+
+  // Appends the stretches of a way of which the nodes are there and `keep` holds for the edges.
+  template <class Keep>
+  void append_stretches(const OsmWay& way, const Keep& keep, SourceGeometry& geometry) const {
+    SourcePath path{static_cast<std::uint32_t>(geometry.xs.size()), 0, PathRole::kLine, false};
+    const auto end_path = [&] {
+      if (path.count > 1) geometry.paths.push_back(path);
+      if (path.count == 1) geometry.xs.pop_back(), geometry.ys.pop_back();
+      path = {static_cast<std::uint32_t>(geometry.xs.size()), 0, PathRole::kLine, false};
+    };
+    for (std::size_t i = 0; i < way.nodes.size(); ++i) {
+      if (i > 0 && !keep(way.nodes[i - 1], way.nodes[i])) end_path();
+      const auto place = data_.places.find(way.nodes[i]);
+      if (place == data_.places.end()) {
+        end_path();
+        continue;
+      }
+      append(place->second, geometry);
+      ++path.count;
+    }
+    end_path();
+  }
+
+  std::size_t missing_nodes(const OsmWay& way) const {
+    return static_cast<std::size_t>(
+        std::count_if(way.nodes.begin(), way.nodes.end(),
+                      [&](std::int64_t node) { return data_.places.count(node) == 0; }));
+  }
+
+  static std::string lacks(std::size_t missing, std::size_t all, const char* what) {
+    return "the file lacks " + std::to_string(missing) + " of its " + std::to_string(all) + " " +
+           what + ": it was cut out of a larger one";
+  }
+
+  void make_line(const OsmWay& way, SourceFeature& feature) const {
+    feature.geometry.type = "LINESTRING";
+    append_stretches(
+        way, [](auto, auto) { return true; }, feature.geometry);
+    const auto missing = missing_nodes(way);
+    if (missing == 0) return;
+    auto& text = feature.geometry.paths.empty() ? feature.broken : feature.warnings.emplace_back();
+    text = lacks(missing, way.nodes.size(), "nodes");
+  }
+
+  void make_polygon(const OsmWay& way, SourceFeature& feature) const {
+    feature.geometry.type = "POLYGON";
+    if (const auto missing = missing_nodes(way); missing > 0) {
+      feature.broken = lacks(missing, way.nodes.size(), "nodes");
+      return;
+    }
+    feature.geometry.paths.push_back(
+        {0, static_cast<std::uint32_t>(way.nodes.size()), PathRole::kOuterRing, false});
+    for (const auto node : way.nodes) append(data_.places.at(node), feature.geometry);
+  }
+
+  void make_multipolygon(const OsmRelation& relation, SourceFeature& feature) const {
+    feature.geometry.type = "MULTIPOLYGON";
+    std::vector<const OsmWay*> ways;
+    for (const auto& member : relation.ways) {
+      const auto way = way_numbers_.find(member.way);
+      if (way != way_numbers_.end()) ways.push_back(&data_.ways[way->second]);
+    }
+    if (ways.size() < relation.ways.size()) {
+      feature.broken = lacks(relation.ways.size() - ways.size(), relation.ways.size(), "ways");
+      return;
+    }
+    std::sort(ways.begin(), ways.end());
+    ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+    const auto problem = append_multipolygon(ways, relation, data_, feature.geometry);
+    if (problem.empty()) return;
+    auto& text = feature.geometry.paths.empty() ? feature.broken : feature.warnings.emplace_back();
+    text = problem;
+  }
+
+  void make_relation(const OsmRelation& relation, SourceFeature& feature) const {
+    const auto* type = data_.tag(relation.tags, "type");
+    feature.geometry.type = "RELATION";
+    feature.geometry.unsupported = "relation" + (type == nullptr ? "" : " of type " + *type);
+  }
+
+  // Walls of an area: its edges, but passages and those another area has already.
+  void make_walls(const OsmWay& way, SourceFeature& feature) {
+    feature.geometry.type = "MULTILINESTRING";
+    const auto is_free = [this](std::int64_t a, std::int64_t b) {
+      return taken_.count(unordered(a, b)) == 0;
+    };
+    append_stretches(way, is_free, feature.geometry);
+    add_edges(way, taken_);
+    if (const auto missing = missing_nodes(way); missing > 0) {
+      feature.warnings.push_back(lacks(missing, way.nodes.size(), "nodes"));
+    } else if (feature.geometry.paths.empty()) {
+      feature.geometry.unsupported = "area whose walls are all other areas' or passages";
+    }
+  }
+
+  const OsmData& data_;
+  std::set<NodePair> taken_;  // passages, and walls that are made
+  std::unordered_map<std::int64_t, std::size_t> way_numbers_;
+};
+
+Crs wgs84() {
+  auto crs = parse_crs("EPSG:4326");
+  return crs ? *crs : Crs{};
+}
+
+class OsmReader : public SourceReader {
+ public:
+  OsmReader(std::string path, OsmData data)
+      : path_(std::move(path)), data_(std::move(data)), sorted_(osm_layers(data_)) {
+    const auto crs = wgs84();
+    for (const auto& layer : sorted_) {
+      infos_.push_back({layer.name, data_.keys, layer.geometry, crs,
+                        static_cast<std::int64_t>(layer.items.size())});
+    }
+  }
+
+  const std::string& driver() const override { return driver_; }
+  const std::vector<LayerInfo>& layers() const override { return infos_; }
+  std::vector<std::string> take_warnings() override { return {}; }
+
+  Result<std::optional<Box>> extent(std::size_t layer) override {
+    Box box = kEmptyBox;
+    each(layer, [&](const SourceFeature& feature) {
+      const auto& geometry = feature.geometry;
+      for (std::size_t i = 0; i < geometry.xs.size(); ++i)
+        box.add({geometry.xs[i], geometry.ys[i]});
+    });
+    return box.is_empty() ? std::nullopt : std::optional(box);
+  }
+
+  Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
+                           const FeatureVisitor& visit) override {
+    const auto filter = FeatureFilter::create(data_.keys, options.where);
+    if (!filter) {
+      return usage_failure("--where: '" + options.where + "' does not fit layer " +
+                           infos_[layer].name + ": " + filter.error().message);
+    }
+    each(layer, [&](SourceFeature& feature) {
+      feature.selected = filter->holds(feature);
+      visit(feature);
+    });
+    return sorted_[layer].items.size();
+  }
+
+ private:
+  void each(std::size_t layer, const FeatureVisitor& visit) {
+    SourceFeature feature;
+    feature.values.resize(data_.keys.size());
+    FeatureMaker maker(data_, sorted_[layer]);
+    for (const auto& item : sorted_[layer].items) {
+      const auto& tags = tags_of(item, data_);
+      for (const auto& [key, value] : tags) feature.values[key] = value;
+      maker.make(item, feature);
+      visit(feature);
+      for (const auto& [key, value] : tags) feature.values[key] = std::monostate();
+    }
+  }
+
+  std::string path_;
+  std::string driver_ = "OSM";
+  OsmData data_;
+  std::vector<OsmLayer> sorted_;
+  std::vector<LayerInfo> infos_;
+};
+
+bool ends_with_any(const std::string& path, std::initializer_list<const char*> endings) {
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](const char* ending) { return path.ends_with(ending); });
+}
+
+}  // namespace
+
+bool is_osm(const std::string& path) {
+  if (ends_with_any(path, {".osm", ".osm.gz", ".osm.bz2", ".pbf", ".osc", ".osc.gz"})) return true;
+  std::array<char, 512> start{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(start.data(), start.size());
+  const std::string_view text(start.data(), static_cast<std::size_t>(in.gcount()));
+  return text.find("<osm ") != text.npos || text.substr(0, 32).find("OSMHeader") != text.npos;
+}
+
+OpenedReader open_osm(const std::string& path) {
+  if (ends_with_any(path, {".osc", ".osc.gz"})) {
+    return input_failure(path + ": is a file of changes: apply them first, and give the result");
+  }
+  auto data = read_osm(path);
+  if (!data) return input_failure(path + ": " + data.error().message);
+  auto reader = std::make_unique<OsmReader>(path, *std::move(data));
+  if (reader->layers().empty()) return input_failure(path + ": holds no tagged object");
+  return reader;
+}
+
+}  // namespace mapwright::converter
