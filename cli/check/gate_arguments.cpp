@@ -43,4 +43,23 @@ validators::GateOptions gate_options(const po::variables_map& values) {
   return options;
 }
 
+std::set<std::string> given_options(const po::variables_map& values) {
+  std::set<std::string> given;
+  for (const auto& [name, value] : values) {
+    if (!value.defaulted()) given.insert(name);
+  }
+  return given;
+}
+
+validators::GateOptions with_profile(validators::GateOptions options, validators::Profile profile,
+                                     const std::set<std::string>& given) {
+  if (given.count("robot-radius") > 0) profile.robot_radius_m.reset();
+  if (given.count("laser-height") > 0) profile.laser_height_m.reset();
+  if (given.count("max-range") > 0) profile.max_range_m.reset();
+  if (given.count("min-unreachable") > 0) profile.min_unreachable_m2.reset();
+  if (given.count("min-converged") > 0) profile.min_converged.reset();
+  apply_profile(profile, options);
+  return options;
+}
+
 }  // namespace mapwright::cli

@@ -67,7 +67,12 @@ void ReportTotals::add(const validators::MapReport& report) {
   ++maps_;
   unreadable_ += report.unreadable ? 1 : 0;
   failed_ += !report.unreadable && !report.passes() ? 1 : 0;
-  for (const auto& finding : report.findings) {
+  suppressed_ += report.suppressed.size();
+  add_findings(report.findings);
+}
+
+void ReportTotals::add_findings(const std::vector<Finding>& findings) {
+  for (const auto& finding : findings) {
     switch (finding.severity) {
       case Severity::kError:
         ++errors_;
@@ -89,6 +94,7 @@ std::string ReportTotals::summary() const {
   if (unreadable_ > 0) text += ", " + std::to_string(unreadable_) + " unreadable";
   text += "; " + counted(errors_, "error") + ", " + counted(warnings_, "warning");
   if (notes_ > 0) text += ", " + counted(notes_, "note");
+  if (suppressed_ > 0) text += "; " + std::to_string(suppressed_) + " suppressed";
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/support/console.hpp"
 #include "cli/verb.hpp"
@@ -33,7 +34,10 @@ class ReportTotals {
  public:
   void add(const validators::MapReport& report);
 
-  /// "3 maps: 2 fit, 1 not; 4 errors, 1 warning".
+  /// The findings of a file that is no map.
+  void add_findings(const std::vector<Finding>& findings);
+
+  /// "3 maps: 2 fit, 1 not; 4 errors, 1 warning", and what was suppressed.
   std::string summary() const;
 
   /// kInput where a map could not be read, kNegative for errors found, else kSuccess.
@@ -41,6 +45,7 @@ class ReportTotals {
 
  private:
   std::size_t maps_ = 0, unreadable_ = 0, failed_ = 0, errors_ = 0, warnings_ = 0, notes_ = 0;
+  std::size_t suppressed_ = 0;
 };
 
 }  // namespace mapwright::cli

@@ -3,6 +3,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "cli/check/gate_arguments.hpp"
@@ -13,6 +14,8 @@
 #include "cli/support/map_files.hpp"
 #include "cli/support/map_list.hpp"
 #include "cli/support/map_reports.hpp"
+#include "cli/support/map_rules.hpp"
+#include "cli/support/policy_options.hpp"
 #include "cli/verb.hpp"
 #include "navcore/parallel.hpp"
 #include "validators/deployment/deployment_gate.hpp"
@@ -36,6 +39,7 @@ Examples:
   mapwright check campus.txt --robot-radius 0.45 --trials 50 --format json -o verdict.json
   mapwright check maps/ --jobs 8
   mapwright check maps/ --shard 2/4        (the second of four machines)
+  mapwright check maps/ --config site.yaml --baseline known.json
 
 Exit status 1 if a map fails, 3 if one cannot be read.
 )";
@@ -47,16 +51,22 @@ struct CheckedMap {
   std::vector<Finding> findings;
   std::vector<validators::ReportSection> sections;
   std::optional<std::string> unreadable;
+  std::vector<validators::Fingerprint> names = {};
+  std::vector<validators::SuppressedFinding> suppressed = {};
 };
 
-CheckedMap check_map(const std::string& path, const validators::GateOptions& options) {
+CheckedMap check_map(const std::string& path, const validators::GateOptions& options,
+                     const MapRules& rules) {
   CheckedMap checked{std::string(display_path(path)), {}, {}, {}, {}};
   try {
     const MapDocument document = read_map_file(path);
     validators::GateOutcome outcome = check_deployment(document, options);
     if (auto finding = sidecar_finding(path)) outcome.findings.push_back(*std::move(finding));
     checked.sections = deployment_sections(outcome, options);
-    checked.findings = std::move(outcome.findings);
+    auto judgement = rules.judge(path, document, std::move(outcome.findings));
+    checked.findings = std::move(judgement.findings);
+    checked.names = std::move(judgement.names);
+    checked.suppressed = std::move(judgement.suppressed);
     checked.text = document.text;
   } catch (const Error& error) {
     checked.unreadable = error.what();
@@ -69,8 +79,8 @@ CheckedMap check_map(const std::string& path, const validators::GateOptions& opt
 /// Hands maps on in their order, whatever order they are finished in.
 class InOrder {
  public:
-  InOrder(validators::ReportWriter& writer, ReportTotals& totals, Console& console)
-      : writer_(writer), totals_(totals), console_(console) {}
+  InOrder(validators::ReportWriter& writer, ReportTotals& totals, MapRules& rules, Console& console)
+      : writer_(writer), totals_(totals), rules_(rules), console_(console) {}
 
   void add(std::size_t number, CheckedMap checked) {
     const std::lock_guard lock(mutex_);
@@ -85,10 +95,11 @@ class InOrder {
  private:
   void write(const CheckedMap& checked) {
     if (checked.unreadable) console_.error(*checked.unreadable);
-    const MapReport report{checked.path, checked.text, checked.findings, checked.unreadable,
-                           checked.sections};
+    const MapReport report{checked.path,     checked.text, checked.findings, checked.unreadable,
+                           checked.sections, {},           checked.names,    checked.suppressed};
     writer_.map(report);
     totals_.add(report);
+    rules_.add(report);
   }
 
   std::mutex mutex_;
@@ -96,6 +107,7 @@ class InOrder {
   std::size_t next_ = 0;
   validators::ReportWriter& writer_;
   ReportTotals& totals_;
+  MapRules& rules_;
   Console& console_;
 };
 
@@ -119,6 +131,9 @@ class Check : public Verb {
   validators::GateOptions options_;
   Shard shard_;
   unsigned jobs_ = 1;
+  std::set<std::string> given_;
+  PolicyOptions policy_options_;
+  std::optional<MapRules> rules_;
   ReportTotals totals_;
 };
 
@@ -131,6 +146,7 @@ void Check::declare(po::options_description& options,
   add("map", po::value(&paths_)->required()->composing(),
       "maps, or folders of maps; - reads standard input");
   declare_gate_options(options);
+  declare_policy_options(options);
   add("jobs", text("1"), "threads; 0: as many as the machine has. The answer is the same");
   add("shard", text("1/1"), "part/parts: check this part of the maps only");
   add("format", po::value(&format_name_)->default_value("text"),
@@ -150,6 +166,11 @@ void Check::configure(const po::variables_map& values) {
     fail_usage("standard input can be read once only");
   }
   options_ = gate_options(values);
+  given_ = given_options(values);
+  policy_options_ = policy_options(values);
+  if (shard_.parts > 1 && !policy_options_.write_baseline.empty()) {
+    fail_usage("a baseline holds all maps: --write-baseline and --shard exclude each other");
+  }
 }
 
 void Check::check_all(const std::vector<std::string>& maps, std::ostream& out, bool colour,
@@ -157,29 +178,33 @@ void Check::check_all(const std::vector<std::string>& maps, std::ostream& out, b
   // One map alone gets all threads for its localization runs.
   options_.deployment.threads = maps.size() == 1 ? jobs_ : 1;
   const auto writer = format_->make(out, {"check", colour});
-  InOrder in_order(*writer, totals_, console);
+  InOrder in_order(*writer, totals_, *rules_, console);
   const auto progress = console.progress("checking");
   std::mutex mutex;
   std::size_t done = 0;
   navcore::parallel_for(maps.size(), 1, jobs_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      in_order.add(i, check_map(maps[i], options_));
+      const auto options = with_profile(options_, rules_->profile(maps[i]), given_);
+      in_order.add(i, check_map(maps[i], options, *rules_));
       const std::lock_guard lock(mutex);
       if (maps.size() > 1) progress(++done, maps.size());
     }
   });
+  // Other shards may need the suppressions that this one does not.
+  rules_->finish(*writer, totals_, shard_.parts == 1);
   writer->finish();
 }
 
 ExitStatus Check::run(Console& console) {
   const auto maps = shard_of(expand_map_paths(paths_), shard_);
+  rules_.emplace(policy_options_, maps);
   if (output_ == "-") {
     check_all(maps, console.out(), is_colour_terminal(console), console);
   } else {
     write_file(output_, [&](std::ostream& out) { check_all(maps, out, false, console); });
   }
   console.note(totals_.summary());
-  return totals_.status();
+  return rules_->status(totals_);
 }
 
 }  // namespace

@@ -7,10 +7,11 @@
 #include "cli/support/findings_text.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/support/map_reports.hpp"
+#include "cli/support/map_rules.hpp"
+#include "cli/support/policy_options.hpp"
 #include "cli/verb.hpp"
 #include "converter/ledger/obstacle_sources.hpp"
 #include "validators/check_pages.hpp"
-#include "validators/fingerprint.hpp"
 #include "validators/report/report.hpp"
 #include "validators/validator.hpp"
 
@@ -25,6 +26,9 @@ constexpr std::string_view kDescription =
 attributes, of stairs and ramps. Each finding has a code, a severity, line and column, and a place
 on the map. A map's georeference sidecar (MAP.georef.json), where there is one, is read too.
 
+A configuration file sets severities and limits, and suppresses findings that somebody has looked
+at, with a reason; a baseline lets only new findings count (docs/configuration.md).
+
 The exit status is 1 if a finding of severity error was found, 3 if a map could not be read (the
 others are still reported), else 0. Warnings do not change it.
 
@@ -33,6 +37,7 @@ Examples:
   mapwright validate north.txt south.txt --format json -o findings.json
   mapwright convert site.gpkg -o - | mapwright validate -
   mapwright validate campus.txt --ledger ledger.json --format gpkg -o findings.gpkg
+  mapwright validate maps/*.txt --profile strict --baseline known.json
   mapwright validate --explain G104
   mapwright validate --list
 )";
@@ -63,10 +68,11 @@ class Validate : public Verb {
         "list all findings there are: code, severity, name, what it means");
     add("explain", po::value(&explain_),
         "print the page of a code: what it is, why it hurts a robot, how to fix it");
+    declare_policy_options(options);
     positionals.add("map", -1);
   }
 
-  void configure(const po::variables_map&) override {
+  void configure(const po::variables_map& values) override {
     if (!explain_.empty()) {
       explained_ = finding_code(explain_);
       if (!explained_) fail_usage("--explain: there is no finding '" + explain_ + "'; see --list");
@@ -75,6 +81,7 @@ class Validate : public Verb {
     check_report_output(*format_, output_);
     if (!ledger_.empty() && paths_.size() != 1)
       fail_usage("--ledger: it is about one map, name that");
+    policy_options_ = policy_options(values);
     if (paths_.empty() && !list_ && !explained_) fail_usage("name a map to validate");
   }
 
@@ -83,13 +90,14 @@ class Validate : public Verb {
     if (explained_) console.out() << validators::check_page(*explained_);
     if (paths_.empty()) return ExitStatus::kSuccess;
     if (!ledger_.empty()) sources_ = read_ledger();
+    rules_.emplace(policy_options_, paths_);
     if (output_ == "-") {
       write_report(console.out(), is_colour_terminal(console), console);
     } else {
       write_file(output_, [&](std::ostream& out) { write_report(out, false, console); });
     }
     console.note(totals_.summary());
-    return totals_.status();
+    return rules_->status(totals_);
   }
 
  private:
@@ -106,6 +114,7 @@ class Validate : public Verb {
       report_map(paths_[i], *writer, console);
       if (paths_.size() > 1) progress(i + 1, paths_.size());
     }
+    rules_->finish(*writer, totals_, true);
     writer->finish();
   }
 
@@ -115,10 +124,7 @@ class Validate : public Verb {
     try {
       document = read_map_file(path);
       report.text = document.text;
-      report.findings = validators::validate(document);
-      if (auto finding = sidecar_finding(path)) report.findings.push_back(std::move(*finding));
-      if (sources_) sources_->name_features(report.findings);
-      report.names = validators::fingerprints(document, report.findings);
+      judge(path, document, report);
     } catch (const Error& error) {
       if (error.status() != ExitStatus::kInput) throw;
       console.error(error.what());
@@ -126,6 +132,17 @@ class Validate : public Verb {
     }
     writer.map(report);
     totals_.add(report);
+    rules_->add(report);
+  }
+
+  void judge(const std::string& path, const MapDocument& document, MapReport& report) const {
+    auto findings = validators::validate(document, rules_->profile(path).validation);
+    if (auto finding = sidecar_finding(path)) findings.push_back(std::move(*finding));
+    if (sources_) sources_->name_features(findings);
+    auto judgement = rules_->judge(path, document, std::move(findings));
+    report.findings = std::move(judgement.findings);
+    report.names = std::move(judgement.names);
+    report.suppressed = std::move(judgement.suppressed);
   }
 
   std::vector<std::string> paths_;
@@ -137,6 +154,8 @@ class Validate : public Verb {
   bool list_ = false;
   std::optional<FindingCode> explained_;
   const validators::ReportFormat* format_ = nullptr;
+  PolicyOptions policy_options_;
+  std::optional<MapRules> rules_;
   ReportTotals totals_;
 };
 

@@ -70,11 +70,8 @@ class JsonReport : public ReportWriter {
     if (report.interruption != Interruption::kNone) {
       out_ << ",\n      \"interrupted\": " << dumped(std::string(to_string(report.interruption)));
     }
-    out_ << ",\n      \"findings\": [";
-    for (std::size_t i = 0; i < report.findings.size(); ++i) {
-      out_ << (i == 0 ? "\n        " : ",\n        ") << finding_json(report.findings[i]);
-    }
-    out_ << (report.findings.empty() ? "]" : "\n      ]");
+    write_findings(report);
+    write_suppressed(report.suppressed);
     for (const auto& section : report.sections) {
       if (!section.key.empty()) out_ << ",\n      " << dumped(section.key) << ": " << section.json;
     }
@@ -85,13 +82,37 @@ class JsonReport : public ReportWriter {
   void finish() override { out_ << (first_ ? "]" : "\n  ]") << "\n}\n"; }
 
  private:
+  void write_findings(const MapReport& report) {
+    const bool has_names = report.names.size() == report.findings.size();
+    out_ << ",\n      \"findings\": [";
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+      out_ << (i == 0 ? "\n        " : ",\n        ")
+           << finding_json(report.findings[i], has_names ? &report.names[i] : nullptr);
+    }
+    out_ << (report.findings.empty() ? "]" : "\n      ]");
+  }
+
+  // The finding's own keys, and behind them who set it aside and why.
+  void write_suppressed(const std::vector<SuppressedFinding>& suppressed) {
+    if (suppressed.empty()) return;
+    out_ << ",\n      \"suppressed\": [";
+    for (std::size_t i = 0; i < suppressed.size(); ++i) {
+      std::string json = finding_json(suppressed[i].finding, &suppressed[i].name);
+      json.pop_back();
+      out_ << (i == 0 ? "\n        " : ",\n        ") << json
+           << ",\"by\":" << dumped(suppressed[i].by)
+           << ",\"reason\":" << dumped(suppressed[i].reason) << "}";
+    }
+    out_ << "\n      ]";
+  }
+
   std::ostream& out_;
   bool first_ = true;
 };
 
 }  // namespace
 
-std::string finding_json(const Finding& finding) {
+std::string finding_json(const Finding& finding, const Fingerprint* name) {
   Json json;
   json["code"] = finding_type(finding.code).id;
   json["severity"] = to_string(finding.severity);
@@ -105,6 +126,10 @@ std::string finding_json(const Finding& finding) {
   if (!finding.geometry.empty()) json["geometry"] = geometry_json(finding.geometry);
   for (const auto& edit : finding.fix) json["fix"].push_back(edit_json(edit));
   for (const auto& feature : finding.features) json["features"].push_back(feature_json(feature));
+  if (name != nullptr) {
+    json["fingerprint"] = name->place;
+    json["subject_fingerprint"] = name->subject;
+  }
   return dumped(json);
 }
 

@@ -11,6 +11,7 @@
 
 #include "mapcore/finding.hpp"
 #include "validators/fingerprint.hpp"
+#include "validators/profile/suppressed_finding.hpp"
 
 namespace mapwright::validators {
 
@@ -33,6 +34,7 @@ struct MapReport {
   std::vector<ReportSection> sections = {};  ///< behind the findings; of an unreadable map none
   Interruption interruption = Interruption::kNone;  ///< with `unreadable`: it was read, but …
   std::vector<Fingerprint> names = {};              ///< of the findings; empty: not known
+  std::vector<SuppressedFinding> suppressed = {};   ///< what does not count
 
   /// True if the map could be read and nothing of severity error was found.
   bool passes() const { return !unreadable && !has_errors(findings); }
