@@ -70,6 +70,32 @@ Crs crs_of(const OGRSpatialReference* reference) {
   return crs;
 }
 
+std::optional<GeoBox> area_of_use(const Crs& crs) {
+  const GdalMessages messages;
+  OGRSpatialReference reference;
+  GeoBox box;
+  if (reference.SetFromUserInput(crs.definition().c_str()) != OGRERR_NONE ||
+      !reference.GetAreaOfUse(&box.west_deg, &box.south_deg, &box.east_deg, &box.north_deg,
+                              nullptr)) {
+    return std::nullopt;
+  }
+  return box;
+}
+
+std::optional<std::pair<double, double>> longitude_latitude_on_own_datum(const Crs& crs, double x,
+                                                                         double y) {
+  const GdalMessages messages;
+  OGRSpatialReference reference;
+  if (reference.importFromWkt(crs.wkt.c_str()) != OGRERR_NONE) return std::nullopt;
+  const std::unique_ptr<OGRSpatialReference> base(reference.CloneGeogCS());
+  if (!base || !reference.IsProjected()) return std::nullopt;
+  reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  base->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const Transformation transformation(OGRCreateCoordinateTransformation(&reference, base.get()));
+  if (!transformation || !transformation->Transform(1, &x, &y)) return std::nullopt;
+  return std::pair(x, y);
+}
+
 Result<Crs> parse_crs(const std::string& definition) {
   const GdalMessages messages;
   OGRSpatialReference reference;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "mapcore/result.hpp"
 
@@ -25,6 +27,20 @@ struct Crs {
 
   friend bool operator==(const Crs&, const Crs&) = default;
 };
+
+/// A piece of the Earth between two meridians and two parallels. Where west > east it holds the
+/// antimeridian.
+struct GeoBox {
+  double west_deg = 0.0, south_deg = 0.0, east_deg = 0.0, north_deg = 0.0;
+};
+
+/// Where a CRS is meant to be used, by PROJ's database; nothing for one it does not know.
+std::optional<GeoBox> area_of_use(const Crs& crs);
+
+/// A place in degrees on the CRS's own datum: no shift of datums, which may be 100 m and costs much
+/// to find out. Nothing where the CRS is not projected or does not reach there.
+std::optional<std::pair<double, double>> longitude_latitude_on_own_datum(const Crs& crs, double x,
+                                                                         double y);
 
 /// Reads "EPSG:25831", WKT, PROJJSON or a PROJ string. Fails (kUsage) for anything else; opens no
 /// file and no connection.
