@@ -52,7 +52,11 @@ void ConvertArguments::declare(po::options_description& options,
       "whole");
   frame_.declare(options, "default: the centre of the sources");
   add("source-crs", po::value(&options_.source_crs), "CRS of sources that state none");
-  add("local", po::bool_switch(&options_.local), "the sources' coordinates are metres of the map");
+  add("override-crs", po::value(&options_.override_crs),
+      "CRS of all sources, whatever they state: for files that say the wrong one");
+  add("local", po::bool_switch(&options_.local), "the sources' coordinates are those of the map");
+  add("local-unit", po::value(&local_unit_)->default_value("1"),
+      "metres of one unit of --local coordinates: 0.3048 for feet, 0.001 for millimetres");
   add("swap-axes", po::bool_switch(&options_.swap_axes),
       "the sources have northing or latitude before easting or longitude");
   add("resolution", po::value(&resolution_)->default_value("0.001"),
@@ -76,6 +80,14 @@ void ConvertArguments::check_frame() {
   options_.frame = frame_.parse();
   if (options_.local && !options_.source_crs.empty()) {
     fail_usage("--local and --source-crs exclude each other");
+  }
+  if (options_.local && !options_.override_crs.empty()) {
+    fail_usage("--local and --override-crs exclude each other");
+  }
+  options_.local_unit_m = parse_number("local-unit", local_unit_);
+  if (!(options_.local_unit_m > 0.0)) fail_usage("--local-unit: must be greater than 0");
+  if (!options_.local && options_.local_unit_m != 1.0) {
+    fail_usage("--local-unit is the unit of --local coordinates: give --local too");
   }
 }
 

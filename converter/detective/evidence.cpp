@@ -34,14 +34,27 @@ std::optional<double> median(std::vector<double> values) {
   return *middle;
 }
 
+using Line = std::pair<Point, Point>;
+
+// From the middle of a line straight to a parallel one beside it; infinite where it is not beside.
+double distance_to_parallel(const Line& from, const Line& to) {
+  constexpr double kParallel = 0.1;  // sine; 6 degrees
+  const Point u = from.second - from.first, v = to.second - to.first;
+  const double lengths = length(u) * length(v);
+  if (!(lengths > 0.0) || std::abs(cross(u, v)) > kParallel * lengths) return HUGE_VAL;
+  const Point offset = 0.5 * (from.first + from.second) - to.first;
+  const double along = dot(offset, v) / dot(v, v);
+  const double away = std::abs(cross(v, offset)) / length(v);
+  return along < 0.0 || along > 1.0 || away == 0.0 ? HUGE_VAL : away;
+}
+
 // Each to the one next to it. All pairs: the sample is small.
-std::vector<double> nearest_distances(const std::vector<Point>& points) {
+std::vector<double> nearest_distances(const std::vector<Line>& lines) {
   std::vector<double> distances;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     double nearest = HUGE_VAL;
-    for (std::size_t j = 0; j < points.size(); ++j) {
-      const double d = distance(points[i], points[j]);
-      if (i != j && d > 0.0) nearest = std::min(nearest, d);
+    for (std::size_t j = 0; j < lines.size(); ++j) {
+      if (i != j) nearest = std::min(nearest, distance_to_parallel(lines[i], lines[j]));
     }
     if (std::isfinite(nearest)) distances.push_back(nearest);
   }
@@ -76,8 +89,8 @@ void EvidenceCollector::add(const std::string& layer, const SourceGeometry& geom
     const Point a{geometry.xs[path.first], geometry.ys[path.first]};
     const Point b{geometry.xs[last], geometry.ys[last]};
     const bool is_line = path.role == PathRole::kLine;
-    if (is_line && is_steps_ && step_middles_.size() < kMostSteps)
-      step_middles_.push_back(0.5 * (a + b));
+    if (is_line && is_steps_ && steps_.size() < kMostSteps)
+      steps_.emplace_back(a, b);
     else if (is_line && is_doors_)
       doors_.push_back(distance(a, b));
     else
@@ -111,7 +124,7 @@ DrawingEvidence EvidenceCollector::evidence() const {
   DrawingEvidence evidence = found_;
   evidence.edge = median(edges_);
   evidence.door = median(doors_);
-  evidence.tread = median(nearest_distances(step_middles_));
+  evidence.tread = median(nearest_distances(steps_));
   return evidence;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "converter/source/feature.hpp"
@@ -39,7 +40,7 @@ class EvidenceCollector {
   std::optional<std::string> layer_;  // the one that was asked about last
   bool is_steps_ = false, is_doors_ = false;
   std::vector<double> edges_, doors_;
-  std::vector<Point> step_middles_;
+  std::vector<std::pair<Point, Point>> steps_;  // from end to end
 };
 
 /// True if the angle at `corner` is right within 1.5 degrees, coordinates scaled before.

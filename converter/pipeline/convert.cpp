@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
+#include "converter/detective/doubts.hpp"
 #include "converter/frame/frame_wkt.hpp"
 #include "converter/pipeline/assembly.hpp"
 #include "converter/pipeline/layer_converter.hpp"
@@ -36,8 +38,9 @@ Result<std::optional<Georeference>> resolve(const ConvertOptions& options,
   return std::optional(*std::move(georeference));
 }
 
-Result<MapTransform> transform_of(const LayerJob& job, const std::optional<LocalFrame>& frame) {
-  if (!job.crs.is_stated() || !frame) return MapTransform();
+Result<MapTransform> transform_of(const LayerJob& job, const std::optional<LocalFrame>& frame,
+                                  double local_unit_m) {
+  if (!job.crs.is_stated() || !frame) return MapTransform(local_unit_m);
   auto to_wgs84 = CrsTransform::create(job.crs);
   if (!to_wgs84) {
     return input_failure(job.source->path() + ": layer " + job.info().name + ": " +
@@ -49,18 +52,20 @@ Result<MapTransform> transform_of(const LayerJob& job, const std::optional<Local
 // Layers of one CRS share their way to the map, and with it what it has learnt of the ground.
 class Transforms {
  public:
-  explicit Transforms(const std::optional<LocalFrame>& frame) : frame_(frame) {}
+  Transforms(const std::optional<LocalFrame>& frame, double local_unit_m)
+      : frame_(frame), local_unit_m_(local_unit_m) {}
 
   Result<MapTransform> of(const LayerJob& job) {
     const auto known = by_crs_.find(job.crs.wkt);
     if (known != by_crs_.end()) return known->second;
-    auto transform = transform_of(job, frame_);
+    auto transform = transform_of(job, frame_, local_unit_m_);
     if (transform) by_crs_.emplace(job.crs.wkt, *transform);
     return transform;
   }
 
  private:
   const std::optional<LocalFrame>& frame_;
+  double local_unit_m_;
   std::map<std::string, MapTransform> by_crs_;
 };
 
@@ -76,7 +81,7 @@ std::size_t open_account(const LayerJob& job, const ConvertOptions& options, Led
 Result<void> convert_layers(const ConvertOptions& options, const OpenedSources& sources,
                             const std::optional<LocalFrame>& frame, Workspace& workspace) {
   StairsCollector stairs(workspace);
-  Transforms transforms(frame);
+  Transforms transforms(frame, options.local_unit_m);
   for (const auto& job : sources.jobs) {
     const auto transform = transforms.of(job);
     if (!transform) return tl::unexpected(transform.error());
@@ -89,7 +94,23 @@ Result<void> convert_layers(const ConvertOptions& options, const OpenedSources& 
   return {};
 }
 
+// Stated CRSs that are hard to believe. Those in degrees are meant for the whole Earth.
+void append_doubts(const OpenedSources& sources, std::vector<std::string>& warnings) {
+  std::set<std::pair<const VectorSource*, std::string>> doubted;  // once a source and CRS
+  for (const auto& job : sources.jobs) {
+    if (!job.crs.is_stated() || job.crs.geographic) continue;
+    if (doubted.count({job.source, job.crs.wkt}) > 0) continue;
+    const auto extent = job.source->extent(job.layer);
+    if (!extent || !*extent) continue;
+    if (const auto doubt = doubt_about_place(job.crs, **extent)) {
+      warnings.push_back(job.source->path() + ": layer " + job.info().name + " " + *doubt);
+      doubted.insert({job.source, job.crs.wkt});
+    }
+  }
+}
+
 std::vector<std::string> warnings_of(const ConvertOptions& options, const OpenedSources& sources,
+                                     const std::optional<Georeference>& georeference,
                                      const Map& map) {
   std::vector<std::string> warnings;
   for (const auto& source : sources.sources) {
@@ -101,6 +122,10 @@ std::vector<std::string> warnings_of(const ConvertOptions& options, const Opened
                          job.info().crs.title() + "; with --local its coordinates count as metres");
     }
   }
+  append_doubts(sources, warnings);
+  const auto latitude =
+      georeference ? std::optional(georeference->origin_latitude_deg) : std::nullopt;
+  if (auto doubt = doubt_about_scale(map, latitude)) warnings.push_back(*std::move(doubt));
   const Border& border = map.border;
   const double away =
       std::hypot(0.5 * (border.left + border.right), 0.5 * (border.top + border.bottom));
@@ -136,7 +161,7 @@ Result<Conversion> convert(const ConvertOptions& options) {
   conversion.map = assemble(workspace);
   conversion.georeference = *std::move(georeference);
   conversion.ledger = std::move(workspace.ledger);
-  conversion.warnings = warnings_of(options, **sources, conversion.map);
+  conversion.warnings = warnings_of(options, **sources, conversion.georeference, conversion.map);
   assert(balances(conversion.ledger));
   return conversion;
 }

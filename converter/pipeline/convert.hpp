@@ -25,8 +25,10 @@ struct ConvertOptions {
   std::string where;               ///< SQL condition
   std::optional<Box> bbox;         ///< metres, map frame
   FrameOptions frame;
-  std::string source_crs;  ///< of layers that state none
-  bool local = false;      ///< coordinates are metres of the map frame
+  std::string source_crs;     ///< of layers that state none
+  std::string override_crs;   ///< of all layers, whatever they state
+  bool local = false;         ///< coordinates are those of the map frame, in
+  double local_unit_m = 1.0;  ///< this unit
   double resolution_m = tolerance::kResolution_m;
   bool repair = true;
   bool keep_broken = false;    ///< features that cannot be read are dropped, not fatal

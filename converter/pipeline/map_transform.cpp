@@ -24,7 +24,10 @@ MapTransform::MapTransform(CrsTransform to_wgs84, const LocalFrame& frame, const
       metres_per_unit_(crs.metres_per_unit) {}
 
 void MapTransform::apply(std::span<double> xs, std::span<double> ys) {
-  if (patches_) patches_->apply(xs, ys);
+  if (patches_) return patches_->apply(xs, ys);
+  if (local_unit_m_ == 1.0) return;
+  for (double& x : xs) x *= local_unit_m_;
+  for (double& y : ys) y *= local_unit_m_;
 }
 
 void MapTransform::apply_exactly(std::span<double> xs, std::span<double> ys) const {

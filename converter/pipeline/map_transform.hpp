@@ -15,6 +15,8 @@ class MapTransform {
  public:
   /// Plain local metres: coordinates stay as they are.
   MapTransform() = default;
+  /// Local coordinates in another unit.
+  explicit MapTransform(double metres_per_unit) : local_unit_m_(metres_per_unit) {}
   /// Source CRS → WGS 84 → map frame. Borrows the frame.
   MapTransform(CrsTransform to_wgs84, const LocalFrame& frame, const Crs& crs);
 
@@ -37,7 +39,8 @@ class MapTransform {
 
   std::shared_ptr<const Route> route_;  // none: plain local metres
   std::shared_ptr<TransformPatches> patches_;
-  double metres_per_unit_ = 1.0;
+  double local_unit_m_ = 1.0;     // where there is no route
+  double metres_per_unit_ = 1.0;  // of the source's CRS
 };
 
 }  // namespace mapwright::converter

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "converter/detective/unstated_crs.hpp"
 #include "converter/gdal/archive.hpp"
 #include "converter/rules/rule_reader.hpp"
 
@@ -14,14 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Failure without_crs(const VectorSource& source, const LayerInfo& layer) {
+Failure without_crs(const VectorSource& source, const LayerInfo& layer,
+                    const OpenedSources& opened) {
   const std::string missing =
       source.driver() == "ESRI Shapefile" ? " (its .prj file is missing or empty)" : "";
   return {
       FailureKind::kInput,
       source.path() + ": layer " + layer.name + " states no coordinate reference system" + missing +
           ": say which one it is with --source-crs EPSG:CODE, or --local if its coordinates are "
-          "metres of the map"};
+          "metres of the map" +
+          crs_advice(opened.sources)};
 }
 
 // Ids of stairs are unique within a file; shapefiles of one folder are one drawing.
@@ -54,8 +57,29 @@ Result<void> check_layer_names(const OpenedSources& opened, const std::vector<st
   return {};
 }
 
-Result<void> append_jobs(VectorSource& source, const ConvertOptions& options,
-                         const Crs& stated_by_user, OpenedSources& opened) {
+// What the user says of the sources' CRS.
+struct UserCrs {
+  Crs fallback;  // of layers that state none
+  Crs instead;   // of all layers, whatever they state
+};
+
+Result<Crs> parse_option(const char* name, const std::string& text) {
+  if (text.empty()) return Crs();
+  auto crs = parse_crs(text);
+  if (!crs) return usage_failure(std::string(name) + ": " + crs.error().message);
+  return crs;
+}
+
+Result<UserCrs> user_crs(const ConvertOptions& options) {
+  auto fallback = parse_option("--source-crs", options.source_crs);
+  if (!fallback) return tl::unexpected(fallback.error());
+  auto instead = parse_option("--override-crs", options.override_crs);
+  if (!instead) return tl::unexpected(instead.error());
+  return UserCrs{*std::move(fallback), *std::move(instead)};
+}
+
+Result<void> append_jobs(VectorSource& source, const ConvertOptions& options, const UserCrs& said,
+                         OpenedSources& opened) {
   for (std::size_t i = 0; i < source.layers().size(); ++i) {
     const auto& layer = source.layers()[i];
     if (!is_asked_for(layer, options.layers)) continue;
@@ -63,11 +87,13 @@ Result<void> append_jobs(VectorSource& source, const ConvertOptions& options,
     if (options.rules_are_guessed && source.driver() == "OSM") job.rules = &opened.osm_rules;
     if (options.local)
       job.crs = {};
+    else if (said.instead.is_stated())
+      job.crs = said.instead;
     else if (!job.crs.is_stated())
-      job.crs = stated_by_user;
+      job.crs = said.fallback;
     const bool has_places = layer.geometry != GeometryKind::kNone;
     if (!options.local && has_places && !job.crs.is_stated()) {
-      return tl::unexpected(without_crs(source, layer));
+      return tl::unexpected(without_crs(source, layer, opened));
     }
     opened.jobs.push_back(std::move(job));
   }
@@ -116,12 +142,8 @@ Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& option
   auto osm = read_rules(std::string(builtin_rules("osm")), "osm");
   if (!osm) return tl::unexpected(osm.error());
   opened->osm_rules = *std::move(osm);
-  Crs stated;
-  if (!options.source_crs.empty()) {
-    auto crs = parse_crs(options.source_crs);
-    if (!crs) return usage_failure("--source-crs: " + crs.error().message);
-    stated = *std::move(crs);
-  }
+  const auto said = user_crs(options);
+  if (!said) return tl::unexpected(said.error());
   for (const auto& path : options.sources) {
     auto source = VectorSource::open(path, {options.extra_drivers});
     if (!source) return tl::unexpected(source.error());
@@ -131,7 +153,7 @@ Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& option
     return tl::unexpected(checked.error());
   }
   for (const auto& source : opened->sources) {
-    if (auto done = append_jobs(*source, options, stated, *opened); !done) {
+    if (auto done = append_jobs(*source, options, *said, *opened); !done) {
       return tl::unexpected(done.error());
     }
   }
