@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "converter/detective/known_grids.hpp"
-#include "mapcore/geometry/packed_tree.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -51,6 +50,10 @@ std::string sizes(const DrawingEvidence& evidence, double metres) {
   return "nothing can be measured";
 }
 
+Point middle_of(const Box& box) {
+  return {0.5 * (box.min_x + box.max_x), 0.5 * (box.min_y + box.max_y)};
+}
+
 std::string place(double latitude, double longitude) {
   return text("%.2f %c, %.2f %c", std::abs(latitude), latitude < 0 ? 'S' : 'N', std::abs(longitude),
               longitude < 0 ? 'W' : 'E');
@@ -61,8 +64,7 @@ class Guesser {
   Guesser(const DrawingEvidence& evidence, const std::vector<Neighbour>& neighbours)
       : evidence_(evidence),
         neighbours_(neighbours),
-        center_{0.5 * (evidence.extent.min_x + evidence.extent.max_x),
-                0.5 * (evidence.extent.min_y + evidence.extent.max_y)},
+        center_(middle_of(evidence.extent)),
         reach_(std::max({std::abs(evidence.extent.min_x), std::abs(evidence.extent.max_x),
                          std::abs(evidence.extent.min_y), std::abs(evidence.extent.max_y)})) {}
 
@@ -91,7 +93,8 @@ class Guesser {
     for (const auto& neighbour : neighbours_) {
       const Box& box = neighbour.extent;
       const double reach = std::max(box.width(), box.height());
-      if (!boxes_meet(box.inflated(reach), evidence_.extent)) continue;
+      if (!box.inflated(reach).contains(center_) && !evidence_.extent.contains(middle_of(box)))
+        continue;
       const bool known = std::any_of(found_.begin(), found_.end(), [&](const CrsGuess& guess) {
         return guess.remedy == remedy_of(neighbour.crs);
       });
