@@ -9,6 +9,9 @@ inline constexpr double kResolution_m = 0.001;
 /// Greatest distance between a curve and the chords that stand for it (sagitta).
 inline constexpr double kChordSagitta_m = 0.01;
 
+/// Coordinates of two maps that differ by no more are the same: half a step of that grid.
+inline constexpr double kSamePlace_m = 0.0005;
+
 /// Ends nearer to each other than this were meant to be one point (snapping, near misses).
 inline constexpr double kSnap_m = 0.01;
 

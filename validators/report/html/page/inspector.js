@@ -24,7 +24,7 @@ class Inspector {
       row.x === null ? null : `at ${placeText(row.x, row.y)}`,
     ].filter(Boolean).join(', ');
     this.show([
-      element('h3', { class: `level-${row.severity}`, text: `${row.severity}: ${row.code}${about ? ` ${about.name}` : ''}` }),
+      element('h3', { class: `level-${row.severity}`, text: row.code === row.severity ? row.code : `${row.severity}: ${row.code}${about ? ` ${about.name}` : ''}` }),
       element('p', { text: row.message }),
       where ? element('p', { class: 'quiet', text: where }) : null,
       row.excerpt ? element('pre', { text: row.excerpt }) : null,

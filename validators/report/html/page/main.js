@@ -151,12 +151,15 @@ function listMaps() {
 }
 
 function listLevels() {
-  byId('levels').replaceChildren(...page.levels.map((level) => {
+  const there = page.levels.filter((level) => found.some((about) => about.findings.some((row) => row.severity === level.name)));
+  byId('levels').replaceChildren(...there.map((level) => {
     const box = element('input', { type: 'checkbox', value: level.name, onchange: (event) => showLevel(level.name, event.target.checked) });
     box.checked = true;
     return element('label', { class: `level-${level.name}` }, [box, ` ${level.name}`]);
   }));
 }
+
+byId('code').hidden = !page.columns.includes('code');
 
 function nextRow(step) {
   const row = table.neighbour(step);
