@@ -1,13 +1,11 @@
-#include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "cli/localize/answer_json.hpp"
 #include "cli/localize/answer_writers.hpp"
 #include "cli/support/pose_json.hpp"
 
 namespace mapwright::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json settings_json(const LocalizeQuestion& question) {
   const auto& settings = question.settings;
@@ -33,15 +31,6 @@ Json settings_json(const LocalizeQuestion& question) {
   return json;
 }
 
-Json particles_json(const navcore::ParticleSet& particles) {
-  Json array = Json::array();
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Pose& pose = particles.poses[i];
-    array.push_back(Json::array({pose.x, pose.y, plain_degrees(pose.theta), particles.weights[i]}));
-  }
-  return array;
-}
-
 Json iteration_json(const navcore::IterationRecord& iteration) {
   const auto& estimate = iteration.estimate;
   Json json;
@@ -60,13 +49,6 @@ Json iteration_json(const navcore::IterationRecord& iteration) {
   if (iteration.particles.size() == 0) return json;
   json["scan"] = iteration.scan;
   json["particle_set"] = particles_json(iteration.particles);
-  return json;
-}
-
-Json spread_json(const std::optional<navcore::MedianAndP95>& spread) {
-  Json json;
-  json["median"] = spread ? Json(spread->median) : Json(nullptr);
-  json["p95"] = spread ? Json(spread->p95) : Json(nullptr);
   return json;
 }
 
@@ -97,6 +79,22 @@ Json run_summary_json(const navcore::ExperimentRun& run) {
 }
 
 }  // namespace
+
+Json particles_json(const navcore::ParticleSet& particles) {
+  Json array = Json::array();
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Pose& pose = particles.poses[i];
+    array.push_back(Json::array({pose.x, pose.y, plain_degrees(pose.theta), particles.weights[i]}));
+  }
+  return array;
+}
+
+Json spread_json(const std::optional<navcore::MedianAndP95>& spread) {
+  Json json;
+  json["median"] = spread ? Json(spread->median) : Json(nullptr);
+  json["p95"] = spread ? Json(spread->p95) : Json(nullptr);
+  return json;
+}
 
 void write_run_json(std::ostream& out, const LocalizeQuestion& question,
                     const navcore::ExperimentRun& run) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "cli/localize/answer_writers.hpp"
+#include "cli/localize/recorded_localization.hpp"
 #include "cli/plan/places.hpp"
 #include "cli/support/arguments.hpp"
 #include "cli/support/error.hpp"
@@ -47,7 +48,7 @@ constexpr std::uint64_t kMostParticles = 10'000'000;
 class Localize : public Verb {
  public:
   std::string_view synopsis() const override {
-    return "MAP (--pose X,Y,DEG | --trials N) [OPTIONS]";
+    return "MAP (--pose X,Y,DEG | --trials N | --log FILE) [OPTIONS]";
   }
   std::string_view description() const override { return kDescription; }
 
@@ -66,6 +67,7 @@ class Localize : public Verb {
                        Console& console) const;
 
   std::string map_path_;
+  std::optional<RecordedQuestion> recorded_;  ///< with --log
   std::optional<Pose> pose_;
   std::size_t trials_ = 0;
   double required_percent_ = 50.0;
@@ -98,6 +100,7 @@ void Localize::declare(po::options_description& options,
   declare_laser_options(options);
   declare_noise_options(options, "laser-noise", "0.05");
   declare_filter_options(options);
+  declare_recorded_options(options);
   declare_engine_option(options, "fast");
   add("seed", text("1"), "of the random numbers, a whole number; trial i has seed + i");
   add("threads", text("0"), "0: as many as the machine has. The answer is the same");
@@ -129,6 +132,17 @@ void Localize::configure(const po::variables_map& values) {
   const auto integer = [&](const char* name, std::uint64_t least, std::uint64_t most) {
     return parse_integer(name, values[name].as<std::string>(), least, most);
   };
+  threads_ = static_cast<unsigned>(integer("threads", 0, 1024));
+  required_percent_ = number_option(values, "require", 0.0, 100.0);
+  engine_ = ray_engine_kind(values);
+  json_ = json_wanted(values);
+  if (values.count("with-particles") > 0 && !json_) {
+    fail_usage("--with-particles: needs --format json");
+  }
+  if (asks_for_log(values)) {
+    recorded_ = recorded_question(values);
+    return;
+  }
   auto& settings = question_.settings;
   configure_filter(values);
   settings.laser = laser_model(values);
@@ -140,18 +154,13 @@ void Localize::configure(const po::variables_map& values) {
   settings.heading_known = values.count("no-compass") == 0;
   settings.keep_particles = values.count("with-particles") > 0;
   question_.seed = integer("seed", 0, UINT64_MAX);
-  threads_ = static_cast<unsigned>(integer("threads", 0, 1024));
-  required_percent_ = number_option(values, "require", 0.0, 100.0);
-  engine_ = ray_engine_kind(values);
-  json_ = json_wanted(values);
-  if (settings.keep_particles && !json_) fail_usage("--with-particles: needs --format json");
   configure_start(values);
 }
 
 void Localize::configure_start(const po::variables_map& values) {
   auto& settings = question_.settings;
   if ((values.count("pose") > 0) == (values.count("trials") > 0)) {
-    fail_usage("needs either --pose X,Y,DEG or --trials N");
+    fail_usage("needs one of --pose X,Y,DEG, --trials N and --log FILE");
   }
   if (values.count("trials") > 0) {
     if (values.count("initial-pose") > 0) fail_usage("--initial-pose needs --pose, not --trials");
@@ -199,6 +208,10 @@ void Localize::configure_filter(const po::variables_map& values) {
 
 ExitStatus Localize::run(Console& console) {
   const MapDocument document = read_sound_map_file(map_path_);
+  if (recorded_) {
+    return localize_recorded(document.map, engine_, *recorded_,
+                             {json_, threads_, required_percent_}, console);
+  }
   const navcore::FreeSpace space(document.map);
   const RayEngine engine(document.map, engine_);
   if (!pose_) return run_often(space, engine, console);

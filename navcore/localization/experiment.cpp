@@ -67,10 +67,6 @@ bool start_filter(ParticleFilter& filter, const FreeSpace& space, Robot& robot,
   return filter.start_anywhere(space, heading);
 }
 
-bool believes_converged(const PoseEstimate& estimate) {
-  return estimate.mode_share >= kConvergedShare && estimate.mode_spread_m <= kRight_m;
-}
-
 IterationRecord record(std::size_t n, const UpdateReport& update, const ParticleFilter& filter,
                        const Pose& truth) {
   IterationRecord result;
@@ -94,6 +90,10 @@ double truth_advantage(const ScanWeigher& weigher, const ExperimentSettings& set
 }
 
 }  // namespace
+
+bool believes_converged(const PoseEstimate& estimate) {
+  return estimate.mode_share >= kConvergedShare && estimate.mode_spread_m <= kRight_m;
+}
 
 bool IterationRecord::is_right() const {
   return position_error_m <= kRight_m && heading_error.degrees() <= kRight_deg;

@@ -40,6 +40,8 @@ inline constexpr double kRight_deg = 5.0;
 /// particles spread no further than kRight_m.
 inline constexpr double kConvergedShare = 0.95;
 
+bool believes_converged(const PoseEstimate& estimate);
+
 /// The state after one iteration.
 struct IterationRecord {
   std::size_t n = 0;  ///< 1-based

@@ -72,9 +72,20 @@ bool ParticleFilter::start_anywhere(const FreeSpace& space,
   return true;
 }
 
-void ParticleFilter::start_at(const Pose& pose, double sigma_m, double sigma_deg) {
+void ParticleFilter::use(const ScanLook& look) {
+  weigher_ = look.weigher;
+  laser_ = look.laser;
+  settings_.likelihood = look.likelihood;
+  settings_.temper = look.temper;
+  settings_.elsewhere = look.elsewhere;
+  settings_.elsewhere_particles = look.elsewhere_particles;
+  if (settings_.kld) settings_.kld->least = std::min(look.least_particles, settings_.particles);
+}
+
+void ParticleFilter::start_at(const Pose& pose, double sigma_m, double sigma_deg,
+                              const FreeSpace* space) {
   ++epoch_;
-  space_ = nullptr;
+  space_ = space;
   lost_ = false;
   std::vector<Pose> poses(settings_.particles);
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -155,28 +166,44 @@ void ParticleFilter::track(std::span<const double> scan, UpdateReport& report) {
   }
 }
 
-// The motion model is a mixture: odometry, or anywhere.
+Pose ParticleFilter::somewhere_near(Random& random) const {
+  const std::size_t i = low_variance_sample(particles_.weights, 1, random).front();
+  Pose pose = shaken(particles_.poses[i], settings_.nearby_m, settings_.nearby_deg, random);
+  if (random.uniform() < 0.5) pose.theta = draw_heading({}, random);
+  return pose;
+}
+
+// The motion model is a mixture: odometry, near where it leads, or anywhere.
 void ParticleFilter::add_elsewhere() {
-  if (space_ == nullptr || settings_.elsewhere_particles == 0) return;
+  extras_ = 0;
+  const std::size_t count = settings_.elsewhere_particles;
+  if (space_ == nullptr || count == 0) return;
   ++epoch_;
   Random random = stream(0);
-  for (double& weight : particles_.weights) weight *= 1.0 - settings_.elsewhere;
-  const double share = settings_.elsewhere / static_cast<double>(settings_.elsewhere_particles);
-  for (std::size_t i = 0; i < settings_.elsewhere_particles; ++i) {
+  const auto nearby =
+      static_cast<std::size_t>(std::lround(settings_.nearby_share * static_cast<double>(count)));
+  std::vector<Pose> extras;
+  for (std::size_t i = 0; i < nearby; ++i) extras.push_back(somewhere_near(random));
+  while (extras.size() < count) {
     const auto place = space_->sample(random);
     if (!place) break;
-    particles_.poses.push_back({place->x, place->y, draw_heading(heading_, random)});
-    particles_.weights.push_back(share);
+    extras.push_back({place->x, place->y, draw_heading(heading_, random)});
   }
+  extras_ = extras.size();
+  for (double& weight : particles_.weights) weight *= 1.0 - settings_.elsewhere;
+  particles_.poses.insert(particles_.poses.end(), extras.begin(), extras.end());
+  particles_.weights.resize(particles_.poses.size(),
+                            settings_.elsewhere / static_cast<double>(count));
 }
 
 // Extra particles that the scan speaks against are not worth a resampling.
 void ParticleFilter::drop_elsewhere() {
-  const std::size_t count = settings_.particles;
-  if (particles_.size() <= count) return;
+  if (extras_ == 0) return;
+  const std::size_t count = particles_.size() - extras_;
   const auto first_extra = particles_.weights.begin() + static_cast<std::ptrdiff_t>(count);
   const double extra = std::accumulate(first_extra, particles_.weights.end(), 0.0);
   if (extra > kWorthKeeping) return;
+  extras_ = 0;
   particles_.poses.resize(count);
   particles_.weights.resize(count);
   factors_.resize(count);
@@ -189,8 +216,8 @@ double ParticleFilter::effective_size_after(double exponent) const {
   return effective_size(weights);
 }
 
-// By bisection; at least a sixteenth of the whole, so that it comes to an end. Without moves there
-// is no point in parts.
+// By bisection; not too small, so that it comes to an end. Without moves there is no point in
+// parts.
 double ParticleFilter::bearable_part(double rest) const {
   const double least = kBearableShare * static_cast<double>(particles_.size());
   if (settings_.sweeps == 0 || effective_size_after(rest) >= least) return rest;
@@ -199,13 +226,14 @@ double ParticleFilter::bearable_part(double rest) const {
     const double middle = 0.5 * (low + high);
     (effective_size_after(middle) >= least ? low : high) = middle;
   }
-  return std::min(rest, std::max(low, settings_.temper / 16.0));
+  return std::min(rest, std::max(low, settings_.temper * settings_.least_part));
 }
 
 void ParticleFilter::renew(const Target& target, std::span<const double> scan,
                            UpdateReport& report) {
   const double wanted = settings_.resample_below * static_cast<double>(particles_.size());
-  if (particles_.size() != settings_.particles || effective_size(particles_.weights) < wanted) {
+  if (particles_.size() > settings_.particles || extras_ > 0 ||
+      effective_size(particles_.weights) < wanted) {
     resample();
     report.resampled = true;
   }
@@ -220,14 +248,29 @@ std::vector<double> ParticleFilter::weigh(const Target& target, std::span<const 
   return factors;
 }
 
+// A first draw shows how many bins the weight is spread over.
+std::size_t ParticleFilter::wanted_particles(Random& random) const {
+  if (!settings_.kld) return settings_.particles;
+  std::vector<Pose> poses;
+  for (const auto i : low_variance_sample(
+           particles_.weights, std::min(settings_.particles, particles_.size()), random)) {
+    poses.push_back(particles_.poses[i]);
+  }
+  const double size = kld_sample_size(occupied_bins(poses, *settings_.kld), *settings_.kld);
+  const double most = static_cast<double>(settings_.particles);
+  return std::max(settings_.kld->least, static_cast<std::size_t>(std::min(std::ceil(size), most)));
+}
+
 void ParticleFilter::resample() {
   ++epoch_;
+  extras_ = 0;
   Random random = stream(0);
+  const std::size_t count = wanted_particles(random);
   std::vector<Pose> poses;
   std::vector<double> factors;
-  poses.reserve(settings_.particles);
-  factors.reserve(settings_.particles);
-  for (const auto i : low_variance_sample(particles_.weights, settings_.particles, random)) {
+  poses.reserve(count);
+  factors.reserve(count);
+  for (const auto i : low_variance_sample(particles_.weights, count, random)) {
     poses.push_back(particles_.poses[i]);
     factors.push_back(factors_[i]);
   }

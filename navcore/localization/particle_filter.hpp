@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "navcore/free_space.hpp"
+#include "navcore/localization/kld_sampling.hpp"
 #include "navcore/localization/likelihood.hpp"
 #include "navcore/localization/particles.hpp"
 #include "navcore/localization/pose_estimate.hpp"
@@ -34,14 +35,26 @@ struct FilterSettings {
   /// random moves and keeps those that the scan agrees with. Their lengths (standard deviations)
   /// are spread evenly over the orders of magnitude between these limits.
   std::size_t sweeps = 0;
+  double least_part =
+      1.0 / 16.0;  ///< a scan is brought to bear in no smaller parts of its evidence
   double shortest_move_m = 0.04, longest_move_m = 0.8;
   double smallest_turn_deg = 0.2, largest_turn_deg = 4.0;
 
   /// The robot may be elsewhere than odometry says (kidnapped, or its place lost among the
   /// particles): with this probability before each later scan it is anywhere in free space, which
-  /// so many extra particles stand for. Not used when tracking from a known pose.
+  /// so many extra particles stand for. When tracking from a known pose, only if free space is
+  /// given.
   double elsewhere = 0.0;
   std::size_t elsewhere_particles = 0;
+
+  /// Where the odometry itself may be wrong, a share of them stays near: a wheel that slipped, a
+  /// turn that was not counted. Around the particles, by these standard deviations; with
+  /// probability 1/2 at any heading.
+  double nearby_share = 0.0;
+  double nearby_m = 0.3;
+  double nearby_deg = 15.0;
+
+  std::optional<KldSettings> kld;  ///< adaptive NP, from kld->least to `particles`
 
   OdometryNoise odometry;
   unsigned threads = 1;  ///< 0: one a core
@@ -57,6 +70,17 @@ FilterSettings robust_settings();
 struct HeadingPrior {
   Angle heading;
   double sigma_deg = 0.0;
+};
+
+/// How a filter looks at scans from now on.
+struct ScanLook {
+  const ScanWeigher* weigher = nullptr;
+  LaserModel laser;
+  LikelihoodModel likelihood;
+  double temper = 1.0;     ///< τ
+  double elsewhere = 0.0;  ///< as in FilterSettings
+  std::size_t elsewhere_particles = 0;
+  std::size_t least_particles = 1;
 };
 
 /// What an update did.
@@ -79,8 +103,13 @@ class ParticleFilter {
   /// space. The filter keeps a reference to `space`: particles do not move into solids.
   bool start_anywhere(const FreeSpace& space, const std::optional<HeadingPrior>& heading);
 
-  /// Near a pose: position tracking. Gaussian with these standard deviations.
-  void start_at(const Pose& pose, double sigma_m, double sigma_deg);
+  /// Near a pose: position tracking. Gaussian with these standard deviations. With `space` (kept,
+  /// as above) the robot may turn out to be elsewhere.
+  void start_at(const Pose& pose, double sigma_m, double sigma_deg,
+                const FreeSpace* space = nullptr);
+
+  /// From the next scan on (adaptive NL and NP). `look.weigher` must outlive the filter.
+  void use(const ScanLook& look);
 
   /// The robot moved; encoders say how.
   void move(const OdometryStep& step);
@@ -102,6 +131,8 @@ class ParticleFilter {
   void track(std::span<const double> scan, UpdateReport& report);
   void add_elsewhere();
   void drop_elsewhere();
+  Pose somewhere_near(Random& random) const;
+  std::size_t wanted_particles(Random& random) const;
   double effective_size_after(double exponent) const;
   double bearable_part(double rest) const;
   void renew(const Target& target, std::span<const double> scan, UpdateReport& report);
@@ -120,6 +151,7 @@ class ParticleFilter {
   std::uint64_t epoch_ = 0;              ///< counts the operations that draw random numbers
   std::optional<HeadingPrior> heading_;  ///< what compass and odometry say
   bool lost_ = false;                    ///< started anywhere and not yet seen a scan
+  std::size_t extras_ = 0;               ///< of the particles, at their end: elsewhere
   ParticleSet particles_;
   std::vector<double> factors_;  ///< per particle: log factor of the current scan
 };

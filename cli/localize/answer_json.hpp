@@ -1,0 +1,20 @@
+// Private to this folder: pieces that JSON answers of localize share.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "navcore/localization/particles.hpp"
+#include "navcore/localization/trial_summary.hpp"
+
+namespace mapwright::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// Rows [x, y, theta_deg, weight].
+Json particles_json(const navcore::ParticleSet& particles);
+
+/// {"median", "p95"}, null where there is nothing.
+Json spread_json(const std::optional<navcore::MedianAndP95>& spread);
+
+}  // namespace mapwright::cli

@@ -1,0 +1,34 @@
+// Whether scans still fit the map as well as they used to.
+#pragma once
+
+#include <algorithm>
+
+namespace mapwright::navcore {
+
+/// Short-term and long-term averages of how well scans fit (augmented Monte Carlo localization:
+/// Gutmann and Fox 2002; Thrun, Burgard, Fox, Probabilistic Robotics, 2005, table 8.3).
+struct QualityDecay {
+  double slow = 0.05;  ///< share of a new scan in the long-term average, in (0, 1]
+  double fast = 0.5;   ///< in the short-term one; slow <= fast
+};
+
+class ScanQuality {
+ public:
+  explicit ScanQuality(const QualityDecay& decay) : decay_(decay) {}
+
+  /// `fit` > 0: likelihood a beam, the geometric mean over the beams of a scan.
+  void add(double fit) {
+    if (slow_ == 0.0) slow_ = fast_ = fit;
+    slow_ += decay_.slow * (fit - slow_);
+    fast_ += decay_.fast * (fit - fast_);
+  }
+
+  /// max(0, 1 − short-term / long-term): the book's share of random particles.
+  double share_lost() const { return slow_ > 0.0 ? std::max(0.0, 1.0 - fast_ / slow_) : 0.0; }
+
+ private:
+  QualityDecay decay_;
+  double slow_ = 0.0, fast_ = 0.0;
+};
+
+}  // namespace mapwright::navcore
