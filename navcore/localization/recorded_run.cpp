@@ -152,7 +152,7 @@ RecordedSettings recorded_settings() {
   filter.least_part = 1.0 / 3.0;
   settings.lost_share = 0.6;
   settings.confirmation = 8;
-  settings.quality = {0.03, 0.4};
+  settings.quality = {0.05, 0.4};
   settings.search = {61, 0.15, 8.0, 8000, 0.01, 6000};
   settings.track = {91, 0.04, 36.0, 120};
   settings.recover = {61, 0.15, 8.0, 3000, 5e-4, 3000};

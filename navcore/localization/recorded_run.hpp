@@ -45,7 +45,7 @@ struct RecordedSettings {
   LookSettings search, track, recover;
   std::size_t confirmation = 5;  ///< converged for so many scans in a row
   double lost_share = 0.3;       ///< recovers where ScanQuality says more
-  std::size_t patience = 8;      ///< starts over after so many such scans in a row
+  std::size_t patience = 10;     ///< starts over after so many such scans in a row
   QualityDecay quality;
 
   std::optional<Pose> initial_pose;  ///< tracking; else global localization, heading unknown
