@@ -1,25 +1,39 @@
 #include "navcore/exact/barrier.hpp"
 
 #include <limits>
-#include <unordered_map>
 
 #include "navcore/exact/boundary.hpp"
 
 namespace mapwright::navcore::exact {
 namespace {
 
-// Edges of the base, in the order in which a boundary cycle keeps away from them.
-using EdgeRound = std::vector<std::uint32_t>;
+// Lines, in the order in which a closed curve keeps away from them.
+using LineRound = std::vector<Line>;
 
-EdgeRound edges_around(const BoundaryCycle& cycle, const Tessellation& base,
+Line line_along(const LineWork& work, std::uint32_t edge_number) {
+  const Edge& edge = work.edges[edge_number];
+  return {work.vertices[edge.a], work.vertices[edge.b], work.pieces[edge.first_piece].source};
+}
+
+LineRound lines_around(const BoundaryCycle& cycle, const Tessellation& base,
                        const Tessellation& space) {
-  EdgeRound round;
+  std::vector<std::uint32_t> edges;
   for (const BoundarySide& side : cycle) {
     const std::uint32_t first_piece = space.work.edges[side.edge].first_piece;
     const std::uint32_t edge = &base == &space ? side.edge : space.work.pieces[first_piece].source;
-    if (round.empty() || round.back() != edge) round.push_back(edge);
+    if (edges.empty() || edges.back() != edge) edges.push_back(edge);
   }
-  while (round.size() > 1 && round.back() == round.front()) round.pop_back();
+  while (edges.size() > 1 && edges.back() == edges.front()) edges.pop_back();
+  LineRound round;
+  for (const std::uint32_t edge : edges) round.push_back(line_along(base.work, edge));
+  return round;
+}
+
+LineRound lines_around(const SiteRound& sites, const Tessellation& base) {
+  LineRound round;
+  for (const VoronoiSite& site : sites) {
+    round.push_back({site.a, site.b, line_along(base.work, site.edge).source});
+  }
   return round;
 }
 
@@ -52,39 +66,22 @@ ClosePair closest_pair(const Line& p, const Line& q) {
   return best;
 }
 
-// The lines along the edges, each once, and for each edge of the round its line.
-std::vector<std::uint32_t> add_lines(const EdgeRound& round, const LineWork& work,
-                                     std::vector<Line>& lines) {
-  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
-  std::vector<std::uint32_t> line_of;
-  for (const std::uint32_t edge_number : round) {
-    const auto [place, is_new] =
-        numbers.emplace(edge_number, static_cast<std::uint32_t>(lines.size()));
-    line_of.push_back(place->second);
-    if (!is_new) continue;
-    const Edge& edge = work.edges[edge_number];
-    lines.push_back(
-        {work.vertices[edge.a], work.vertices[edge.b], work.pieces[edge.first_piece].source});
-  }
-  return line_of;
-}
-
-// The polygon that runs along the edges and takes the shortest way from each to the next.
-Barrier polygon_along(const EdgeRound& round, const LineWork& work) {
-  Barrier barrier;
-  const std::vector<std::uint32_t> line_of = add_lines(round, work, barrier.lines);
-  const std::size_t n = line_of.size();
-  const auto step_after = [&](std::size_t i) {
-    return closest_pair(barrier.lines[line_of[i]], barrier.lines[line_of[(i + 1) % n]]);
+// The polygon that runs along the lines and takes the shortest way from each to the next.
+Barrier polygon_along(LineRound round) {
+  Barrier barrier{{}, std::move(round)};
+  const auto n = static_cast<std::uint32_t>(barrier.lines.size());
+  if (n == 0) return barrier;
+  const auto step_after = [&](std::uint32_t i) {
+    return closest_pair(barrier.lines[i], barrier.lines[(i + 1) % n]);
   };
   ClosePair before = step_after(n - 1);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < n; ++i) {
     const ClosePair step = step_after(i);
     if (before.on_second != step.on_first) {
-      barrier.legs.push_back({before.on_second, step.on_first, line_of[i], line_of[i]});
+      barrier.legs.push_back({before.on_second, step.on_first, i, i});
     }
     if (step.on_first != step.on_second) {
-      barrier.legs.push_back({step.on_first, step.on_second, line_of[i], line_of[(i + 1) % n]});
+      barrier.legs.push_back({step.on_first, step.on_second, i, (i + 1) % n});
     }
     before = step;
   }
@@ -97,20 +94,47 @@ double perimeter_mm(const Barrier& barrier) {
   return sum;
 }
 
+// Keeps the shortest of the polygons that separate.
+class Shortest {
+ public:
+  Shortest(const BarrierEnd& start, const BarrierEnd& goal, std::int64_t radius_nm)
+      : start_(start), goal_(goal), radius_nm_(radius_nm) {}
+
+  void consider(Barrier barrier) {
+    const double length_mm = perimeter_mm(barrier);
+    if (length_mm >= shortest_mm_) return;
+    if (!separates_ways_off(barrier, start_, goal_, radius_nm_)) return;
+    shortest_mm_ = length_mm;
+    best_ = std::move(barrier);
+  }
+
+  std::optional<Barrier> take() { return std::move(best_); }
+
+ private:
+  const BarrierEnd &start_, &goal_;
+  std::int64_t radius_nm_;
+  std::optional<Barrier> best_;
+  double shortest_mm_ = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
 
 std::optional<Barrier> find_barrier(const Tessellation& base, const Tessellation& space,
-                                    GridPoint start, GridPoint goal, std::int64_t radius_nm) {
-  std::optional<Barrier> best;
-  double shortest_mm = std::numeric_limits<double>::infinity();
+                                    const BarrierEnd& start, const BarrierEnd& goal,
+                                    std::int64_t radius_nm) {
+  Shortest shortest(start, goal, radius_nm);
   for (const BoundaryCycle& cycle : boundary_cycles(space)) {
-    Barrier barrier = polygon_along(edges_around(cycle, base, space), base.work);
-    const double length_mm = perimeter_mm(barrier);
-    if (length_mm >= shortest_mm || !separates(barrier, start, goal, radius_nm)) continue;
-    shortest_mm = length_mm;
-    best = std::move(barrier);
+    shortest.consider(polygon_along(lines_around(cycle, base, space)));
   }
-  return best;
+  return shortest.take();
+}
+
+std::optional<Barrier> find_barrier(const Tessellation& base, const std::vector<SiteRound>& rounds,
+                                    const BarrierEnd& start, const BarrierEnd& goal,
+                                    std::int64_t radius_nm) {
+  Shortest shortest(start, goal, radius_nm);
+  for (const SiteRound& sites : rounds) shortest.consider(polygon_along(lines_around(sites, base)));
+  return shortest.take();
 }
 
 }  // namespace mapwright::navcore::exact

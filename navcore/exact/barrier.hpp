@@ -8,6 +8,7 @@
 
 #include "navcore/exact/grid_point.hpp"
 #include "navcore/exact/line_work.hpp"
+#include "navcore/exact/medial_rounds.hpp"
 #include "navcore/exact/tessellation.hpp"
 
 namespace mapwright::navcore::exact {
@@ -42,12 +43,39 @@ struct Barrier {
 /// polygon overlaps one of the lines.
 bool separates(const Barrier& barrier, GridPoint start, GridPoint goal, std::int64_t radius_nm);
 
-/// The shortest barrier between start and goal that `separates` confirms, among those that run
-/// around a free region of `space`. Nothing where none is confirmed.
+/// A way off from a place, in grid units of any length.
+struct Direction {
+  std::int64_t x = 0, y = 0;
+};
+
+/// Start or goal. In closed free space it may lie on an outline, and so on the barrier itself: what
+/// counts then is on which sides of the barrier the free space begins there.
+struct BarrierEnd {
+  GridPoint at;
+  /// Into each part of the free space that a small disc around `at` is cut into by the lines there;
+  /// empty for a place on no line.
+  std::vector<Direction> ways_off;
+};
+
+/// `separates` for places of which some lie on lines: the winding numbers around all points just
+/// off the one, along its `ways_off`, differ from those of the other. Such points are shifted by so
+/// little that no line comes between (integers of 256 bits). Requires a point robot where there are
+/// `ways_off`.
+bool separates_ways_off(const Barrier& barrier, const BarrierEnd& start, const BarrierEnd& goal,
+                        std::int64_t radius_nm);
+
+/// The shortest barrier between start and goal that passes `separates_ways_off`, among those that
+/// run around a free region of `space`. Nothing where none is confirmed.
 ///
 /// `base` is the free space of a point; the lines of `space` have the edges of `base` they keep
 /// away from as source (offset_free_space). For a point robot both are the same object.
 std::optional<Barrier> find_barrier(const Tessellation& base, const Tessellation& space,
-                                    GridPoint start, GridPoint goal, std::int64_t radius_nm);
+                                    const BarrierEnd& start, const BarrierEnd& goal,
+                                    std::int64_t radius_nm);
+
+/// The same among given rounds of sites, each of which is near to the next (medial_rounds.hpp).
+std::optional<Barrier> find_barrier(const Tessellation& base, const std::vector<SiteRound>& rounds,
+                                    const BarrierEnd& start, const BarrierEnd& goal,
+                                    std::int64_t radius_nm);
 
 }  // namespace mapwright::navcore::exact

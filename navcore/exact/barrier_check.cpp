@@ -72,17 +72,75 @@ std::optional<int> winding_number(const std::vector<BarrierLeg>& polygon, GridPo
   return winding;
 }
 
+// A point of a grid so fine that its steps are smaller than the distance of any two things of the
+// millimetre grid that do not touch.
+struct FinePoint {
+  Wide x, y;
+};
+
+FinePoint fine(GridPoint p) {
+  const Wide steps = Wide(1) << 80;
+  return {steps * p.x, steps * p.y};
+}
+
+Wide orient(const FinePoint& a, const FinePoint& b, const FinePoint& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Around the point just off p along a direction. Nothing where that lies on the polygon.
+std::optional<int> winding_number_off(const std::vector<BarrierLeg>& polygon, GridPoint p,
+                                      Direction way) {
+  FinePoint q = fine(p);
+  q.x += way.x, q.y += way.y;
+  int winding = 0;
+  for (const BarrierLeg& leg : polygon) {
+    const FinePoint from = fine(leg.from), to = fine(leg.to);
+    const bool starts_below = from.y <= q.y, ends_below = to.y <= q.y;
+    const bool is_level = from.y == q.y && to.y == q.y;
+    if (is_level && (from.x <= q.x) != (to.x <= q.x)) return std::nullopt;
+    if (starts_below == ends_below) continue;
+    const Wide side = orient(from, to, q);
+    if (side == 0) return std::nullopt;
+    if (starts_below && side > 0) ++winding;
+    if (!starts_below && side < 0) --winding;
+  }
+  return winding;
+}
+
+// Around an end, or around all points just off it.
+std::vector<std::optional<int>> winding_numbers(const std::vector<BarrierLeg>& polygon,
+                                                const BarrierEnd& end) {
+  if (end.ways_off.empty()) return {winding_number(polygon, end.at)};
+  std::vector<std::optional<int>> numbers;
+  for (const Direction way : end.ways_off) {
+    numbers.push_back(winding_number_off(polygon, end.at, way));
+  }
+  return numbers;
+}
+
 }  // namespace
 
 bool separates(const Barrier& barrier, GridPoint start, GridPoint goal, std::int64_t radius_nm) {
+  return separates_ways_off(barrier, {start, {}}, {goal, {}}, radius_nm);
+}
+
+bool separates_ways_off(const Barrier& barrier, const BarrierEnd& start, const BarrierEnd& goal,
+                        std::int64_t radius_nm) {
+  if (radius_nm > 0 && !(start.ways_off.empty() && goal.ways_off.empty())) return false;
   const auto& legs = barrier.legs;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (legs[i].to != legs[(i + 1) % legs.size()].from) return false;
     if (!blocks(barrier, legs[i], radius_nm)) return false;
-    if (!is_clear_of_rounding(legs[i], start) || !is_clear_of_rounding(legs[i], goal)) return false;
+    if (!is_clear_of_rounding(legs[i], start.at)) return false;
+    if (!is_clear_of_rounding(legs[i], goal.at)) return false;
   }
-  const auto around_start = winding_number(legs, start), around_goal = winding_number(legs, goal);
-  return around_start && around_goal && *around_start != *around_goal;
+  const auto around_goal = winding_numbers(legs, goal);
+  for (const auto& p : winding_numbers(legs, start)) {
+    for (const auto& q : around_goal) {
+      if (!p || !q || *p == *q) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace mapwright::navcore::exact

@@ -1,7 +1,9 @@
 #include "navcore/exact/barrier_proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "navcore/exact/barrier.hpp"
 #include "navcore/exact/free_faces.hpp"
@@ -57,6 +59,60 @@ exact::BarrierLeg to_leg(const BarrierSide& side, const std::vector<Line>& lines
   return leg;
 }
 
+double distance_off_mm(GridPoint p, const std::vector<Line>& lines) {
+  double least_mm = 1.0;
+  for (const Line& line : lines) {
+    if (!is_on_segment(p, line.a, line.b)) least_mm = std::min(least_mm, distance_mm(p, line));
+  }
+  return least_mm;
+}
+
+// Directions in which lines leave p, as the hands of a clock run backwards.
+std::vector<exact::Direction> spokes(GridPoint p, const std::vector<Line>& lines) {
+  std::vector<exact::Direction> found;
+  const auto add = [&](GridPoint end) {
+    if (end != p) found.push_back({std::int64_t{end.x} - p.x, std::int64_t{end.y} - p.y});
+  };
+  for (const Line& line : lines) {
+    if (is_on_segment(p, line.a, line.b)) add(line.a), add(line.b);
+  }
+  const auto angle = [](exact::Direction d) {
+    return std::atan2(static_cast<double>(d.y), static_cast<double>(d.x));
+  };
+  std::sort(found.begin(), found.end(),
+            [&](exact::Direction c, exact::Direction d) { return angle(c) < angle(d); });
+  const auto last = std::unique(found.begin(), found.end(), [&](auto c, auto d) {
+    return c.x * d.y == c.y * d.x && angle(c) == angle(d);
+  });
+  found.erase(last, found.end());
+  return found;
+}
+
+// Half-way between two directions, counter-clockwise from the first to the second.
+exact::Direction between(exact::Direction c, exact::Direction d) {
+  constexpr double kLength = 1e6;
+  const double from = std::atan2(static_cast<double>(c.y), static_cast<double>(c.x));
+  double to = std::atan2(static_cast<double>(d.y), static_cast<double>(d.x));
+  if (to <= from) to += 2.0 * std::numbers::pi;
+  return {std::llround(kLength * std::cos(0.5 * (from + to))),
+          std::llround(kLength * std::sin(0.5 * (from + to)))};
+}
+
+// For a place on a line: a way into each sector between lines there that is free. Tried in the map
+// itself, nearer to the place than any other line.
+exact::BarrierEnd end_at(Point place, const exact::GridFrame& frame, const std::vector<Line>& lines,
+                         const FreeSpace& space) {
+  exact::BarrierEnd end{frame.to_grid(place), {}};
+  const auto around = spokes(end.at, lines);
+  const double step_m = 0.5e-3 * distance_off_mm(end.at, lines);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const exact::Direction way = between(around[i], around[(i + 1) % around.size()]);
+    const Point unit{static_cast<double>(way.x) / 1e6, static_cast<double>(way.y) / 1e6};
+    if (space.is_free(frame.to_map(end.at) + step_m * unit)) end.ways_off.push_back(way);
+  }
+  return end;
+}
+
 bool can_hold_all(const exact::GridFrame& frame, std::span<const BarrierSide> barrier, Point start,
                   Point goal) {
   return frame.can_hold(start) && frame.can_hold(goal) &&
@@ -81,8 +137,13 @@ bool proves_unreachable(const Map& map, RampPolicy ramps, std::span<const Barrie
   for (const BarrierSide& side : barrier) {
     on_grid.legs.push_back(to_leg(side, on_grid.lines, frame));
   }
-  return exact::separates(on_grid, frame.to_grid(start), frame.to_grid(goal),
-                          static_cast<std::int64_t>(radius_m * 1e9));
+  const auto radius_nm = static_cast<std::int64_t>(radius_m * 1e9);
+  if (radius_nm > 0) {
+    return exact::separates(on_grid, frame.to_grid(start), frame.to_grid(goal), radius_nm);
+  }
+  const FreeSpace space(map, ramps);
+  return exact::separates_ways_off(on_grid, end_at(start, frame, on_grid.lines, space),
+                                   end_at(goal, frame, on_grid.lines, space), radius_nm);
 }
 
 }  // namespace mapwright::navcore

@@ -51,6 +51,15 @@ bool CellMesh::contains(std::uint32_t cell, GridPoint p) const {
   return true;
 }
 
+bool CellMesh::is_on_wall(std::uint32_t cell, GridPoint p) const {
+  const std::uint32_t first = first_corner(cell), end = end_corner(cell);
+  for (std::uint32_t i = first; i < end; ++i) {
+    const GridPoint from = corners_[i].point, to = corners_[i + 1 < end ? i + 1 : first].point;
+    if (corners_[i].twin < 0 && is_on_segment(p, from, to)) return true;
+  }
+  return false;
+}
+
 // Takes away cells with a single open side again and again.
 void CellMesh::find_pockets() {
   std::vector<std::uint32_t> open_sides(cell_count());

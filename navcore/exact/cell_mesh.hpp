@@ -37,6 +37,9 @@ class CellMesh {
   /// True if the closed cell holds p. Exact.
   bool contains(std::uint32_t cell, GridPoint p) const;
 
+  /// True if p lies on a side of the cell that cannot be crossed. Exact.
+  bool is_on_wall(std::uint32_t cell, GridPoint p) const;
+
   /// Dead ends: a pocket is a cell from which the rest of the mesh is reached through one side
   /// only, when other pockets are taken away. Gives the cell on that side; the cell itself where it
   /// is no pocket. A path enters a pocket only to end there.

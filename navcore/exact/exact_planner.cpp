@@ -5,18 +5,19 @@
 #include <mutex>
 
 #include "mapcore/tolerances.hpp"
-#include "navcore/exact/barrier.hpp"
-#include "navcore/exact/cell_locator.hpp"
 #include "navcore/exact/free_faces.hpp"
 #include "navcore/exact/ground.hpp"
 #include "navcore/exact/offset.hpp"
 #include "navcore/exact/path_search.hpp"
+#include "navcore/exact/searchable_space.hpp"
+#include "navcore/exact/tight_route.hpp"
 #include "navcore/exact/widths.hpp"
 
 namespace mapwright::navcore {
 
 using exact::GridPoint;
 using exact::Ground;
+using exact::SearchableSpace;
 
 namespace {
 
@@ -25,21 +26,17 @@ namespace {
 constexpr int kDecisiveTangents = 32;
 constexpr int kMostTangents = 64;
 
-// A free space ready to be searched.
-struct SearchableSpace {
-  std::shared_ptr<const exact::Tessellation> tessellation;
-  exact::CellMesh mesh;
-  exact::CellLocator locator;
-
-  explicit SearchableSpace(std::shared_ptr<const exact::Tessellation> space)
-      : tessellation(std::move(space)), mesh(*tessellation), locator(mesh) {}
-  SearchableSpace(const SearchableSpace&) = delete;
-  SearchableSpace& operator=(const SearchableSpace&) = delete;
-};
-
 std::optional<Failure> why_not(double radius_m) {
   if (std::isfinite(radius_m) && radius_m >= 0.0) return std::nullopt;
   return Failure{FailureKind::kUsage, "the robot's radius must be a number, 0 or greater"};
+}
+
+void add_to_path(const std::vector<Point>& points, ExactAnswer& answer) {
+  for (const Point p : points) {
+    if (!answer.path.empty() && answer.path.back() == p) continue;
+    if (!answer.path.empty()) answer.length_m += distance(answer.path.back(), p);
+    answer.path.push_back(p);
+  }
 }
 
 std::optional<Failure> why_not(const ExactOptions& options) {
@@ -94,13 +91,13 @@ struct ExactPlanner::Impl {
   std::unique_ptr<const SearchableSpace> offset(int tangents) const;
   const SearchableSpace& decisive_space() const;
   PlaceState state(Point p) const;
-  std::vector<std::uint32_t> cells_at(const SearchableSpace& in, Point p) const;
   bool find_path(const SearchableSpace& in, Point start, Point goal, exact::SearchSpace& search,
                  ExactAnswer& answer) const;
-  std::optional<Point> way_out_of_gap(const SearchableSpace& in, Point at, Point direction) const;
   bool is_clear(Point a, Point b) const;
+  bool add_stretch(const SearchableSpace& in, const exact::Stretch& stretch,
+                   exact::SearchSpace& search, ExactAnswer& answer) const;
   bool squeeze(const SearchableSpace& in, Point start, Point goal, exact::SearchSpace& search,
-               int gaps, ExactAnswer& answer) const;
+               ExactAnswer& answer) const;
   void prove_unreachable(const SearchableSpace& in, Point start, Point goal,
                          ExactAnswer& answer) const;
   std::optional<std::uint32_t> obstacle_of(std::uint32_t source) const;
@@ -130,37 +127,28 @@ const SearchableSpace& ExactPlanner::Impl::decisive_space() const {
   return *decisive;
 }
 
-std::vector<std::uint32_t> ExactPlanner::Impl::cells_at(const SearchableSpace& in, Point p) const {
-  return in.locator.cells_at(frame().to_grid(p));
-}
-
 PlaceState ExactPlanner::Impl::state(Point p) const {
   if (!is_finite(p)) return PlaceState::kNotFinite;
   if (!ground->border.contains(p)) return PlaceState::kOutsideBorder;
-  if (!cells_at(*space, p).empty()) return PlaceState::kFree;
-  if (is_point() || cells_at(decisive_space(), p).empty()) return PlaceState::kBlocked;
+  if (!space->cells_at(frame().to_grid(p)).empty()) return PlaceState::kFree;
+  if (is_point() || decisive_space().cells_at(frame().to_grid(p)).empty())
+    return PlaceState::kBlocked;
   return PlaceState::kFree;
 }
 
 // A path on the grid, with the places asked for at its ends; goes on where the answer's path ends.
 bool ExactPlanner::Impl::find_path(const SearchableSpace& in, Point start, Point goal,
                                    exact::SearchSpace& search, ExactAnswer& answer) const {
+  const GridPoint from = frame().to_grid(start), to = frame().to_grid(goal);
   const auto path =
-      exact::find_shortest_path(in.mesh, frame().to_grid(start), frame().to_grid(goal),
-                                cells_at(in, start), cells_at(in, goal), search);
+      exact::find_shortest_path(in.mesh(), from, to, in.cells_at(from), in.cells_at(to), search);
   if (!path) return false;
   answer.verdict = Verdict::kReachable;
-  const auto add = [&](Point p) {
-    if (answer.path.empty() || answer.path.back() != p) answer.path.push_back(p);
-  };
-  add(start);
-  for (const GridPoint p : path->points) add(frame().to_map(p));
-  add(goal);
+  std::vector<Point> points{start};
+  for (const GridPoint p : path->points) points.push_back(frame().to_map(p));
+  points.push_back(goal);
+  add_to_path(points, answer);
   if (answer.path.size() == 1) answer.path.push_back(goal);
-  answer.length_m = 0.0;
-  for (std::size_t i = 1; i < answer.path.size(); ++i) {
-    answer.length_m += distance(answer.path[i - 1], answer.path[i]);
-  }
   return true;
 }
 
@@ -171,41 +159,40 @@ bool ExactPlanner::Impl::is_clear(Point a, Point b) const {
   return room.contains(a) && room.contains(b) && !ground->index().comes_near(a, b, radius_m);
 }
 
-// The first place from the middle of a gap on where the offset free space begins.
-std::optional<Point> ExactPlanner::Impl::way_out_of_gap(const SearchableSpace& in, Point at,
-                                                        Point direction) const {
-  constexpr double kLeast_m = 0.002, kMost_m = 1000.0;
-  for (double reach_m = kLeast_m; reach_m < kMost_m; reach_m *= 1.25) {
-    const Point p = at + reach_m * direction;
-    if (!is_clear(at, p)) return std::nullopt;
-    if (!cells_at(in, p).empty()) return p;
+// A path through gaps that the disc fits and its offset does not: along the medial axis from part
+// to part of the offset free space, and the shortest way within each.
+bool ExactPlanner::Impl::squeeze(const SearchableSpace& in, Point start, Point goal,
+                                 exact::SearchSpace& search, ExactAnswer& answer) const {
+  const GridPoint from = frame().to_grid(start), to = frame().to_grid(goal);
+  const auto narrow = ground->widths().widest_way(from, to);
+  if (!narrow || !exact::Widths::is_wide_enough(narrow->width_mm, 2.0 * radius_mm())) return false;
+  std::vector<Point> route = ground->widths().widest_route(from, to);
+  if (route.empty()) return false;
+  for (Point& p : route) p = from_mm(p);
+  route.front() = start, route.back() = goal;
+  constexpr double kLeastStep_m = 0.005;
+  const auto stretches = exact::cut_route(route, std::max(kLeastStep_m, 0.125 * options.radius_m),
+                                          [&](Point p) { return in.part_at(frame().to_grid(p)); });
+  if (!stretches) return false;
+  ExactAnswer found = answer;
+  for (const exact::Stretch& stretch : *stretches) {
+    if (!add_stretch(in, stretch, search, found)) return false;
   }
-  return std::nullopt;
+  answer = std::move(found);
+  answer.verdict = Verdict::kReachable;
+  return true;
 }
 
-// A path through gaps that the disc fits and its offset does not: to the narrowest gap of the
-// widest way, straight through, and on, the parts by the same rule. `gaps`: how many may still
-// come.
-bool ExactPlanner::Impl::squeeze(const SearchableSpace& in, Point start, Point goal,
-                                 exact::SearchSpace& search, int gaps, ExactAnswer& answer) const {
-  if (find_path(in, start, goal, search, answer)) return true;
-  if (gaps == 0) return false;
-  const auto narrow = ground->widths().widest_way(frame().to_grid(start), frame().to_grid(goal));
-  if (!narrow || narrow->is_end || narrow->width_mm < 2.0 * radius_mm()) return false;
-  const Point across = (1.0 / narrow->width_mm) * (narrow->to - narrow->from);
-  const Point along{-across.y, across.x};
-  const Point at = from_mm(narrow->at);
-  const auto p = way_out_of_gap(in, at, along), q = way_out_of_gap(in, at, -1.0 * along);
-  if (!p || !q) return false;
-  for (const auto& [before, after] : {std::pair(*p, *q), std::pair(*q, *p)}) {
-    ExactAnswer way = answer;
-    if (squeeze(in, start, before, search, gaps - 1, way) &&
-        squeeze(in, after, goal, search, gaps - 1, way)) {
-      answer = std::move(way);
-      return true;
-    }
+bool ExactPlanner::Impl::add_stretch(const SearchableSpace& in, const exact::Stretch& stretch,
+                                     exact::SearchSpace& search, ExactAnswer& answer) const {
+  if (stretch.is_within_part) {
+    return find_path(in, stretch.points.front(), stretch.points.back(), search, answer);
   }
-  return false;
+  const auto taut =
+      exact::pull_taut(stretch.points, [&](Point a, Point b) { return is_clear(a, b); });
+  if (!taut) return false;
+  add_to_path(*taut, answer);
+  return true;
 }
 
 std::optional<std::uint32_t> ExactPlanner::Impl::obstacle_of(std::uint32_t source) const {
@@ -264,9 +251,15 @@ BarrierSide ExactPlanner::Impl::to_side(const exact::Barrier& barrier,
 
 void ExactPlanner::Impl::prove_unreachable(const SearchableSpace& in, Point start, Point goal,
                                            ExactAnswer& answer) const {
-  const auto barrier =
-      exact::find_barrier(*ground->space, *in.tessellation, frame().to_grid(start),
-                          frame().to_grid(goal), static_cast<std::int64_t>(options.radius_m * 1e9));
+  const auto radius_nm = static_cast<std::int64_t>(options.radius_m * 1e9);
+  const exact::BarrierEnd from = in.barrier_end(frame().to_grid(start)),
+                          to = in.barrier_end(frame().to_grid(goal));
+  auto barrier = exact::find_barrier(*ground->space, in.tessellation(), from, to, radius_nm);
+  if (!barrier && !is_point()) {
+    // The parts of the offset free space may hang together through gaps it does not see.
+    const auto rounds = ground->widths().rounds_around(*ground->space, from.at, 2.0 * radius_mm());
+    barrier = exact::find_barrier(*ground->space, rounds, from, to, radius_nm);
+  }
   answer.verdict = barrier || is_point() ? Verdict::kUnreachable : Verdict::kUndecided;
   if (!barrier) return;
   for (const auto& leg : barrier->legs) answer.barrier.push_back(to_side(*barrier, leg));
@@ -313,8 +306,7 @@ ExactAnswer ExactPlanner::plan(Point start, Point goal, ExactWorkspace& workspac
   if (&decisive != impl_->space.get() && impl_->find_path(decisive, start, goal, search, answer)) {
     return answer;
   }
-  constexpr int kMostGaps = 6;
-  if (impl_->is_point() || !impl_->squeeze(decisive, start, goal, search, kMostGaps, answer)) {
+  if (impl_->is_point() || !impl_->squeeze(decisive, start, goal, search, answer)) {
     impl_->prove_unreachable(decisive, start, goal, answer);
   }
   return answer;
@@ -335,7 +327,7 @@ std::optional<std::size_t> ExactPlanner::region_at(Point p, double radius_m) con
 }
 
 std::vector<FreeComponent> ExactPlanner::components() const {
-  const exact::CellMesh& mesh = impl_->space->mesh;
+  const exact::CellMesh& mesh = impl_->space->mesh();
   std::vector<FreeComponent> components;
   for (const double area_m2 : mesh.component_areas_m2()) components.push_back({area_m2, {}});
   std::vector<double> largest_m2(components.size(), -1.0);
@@ -358,9 +350,7 @@ std::vector<FreeComponent> ExactPlanner::components() const {
 
 std::optional<std::size_t> ExactPlanner::component_at(Point p) const {
   if (!impl_->ground->can_ask(p)) return std::nullopt;
-  const auto cells = impl_->cells_at(*impl_->space, p);
-  if (cells.empty()) return std::nullopt;
-  return impl_->space->mesh.components()[cells[0]];
+  return impl_->space->part_at(impl_->frame().to_grid(p));
 }
 
 double ExactPlanner::snapping_error_m() const {

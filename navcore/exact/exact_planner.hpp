@@ -33,8 +33,9 @@ std::string_view to_string(PlaceState state);
 enum class Verdict {
   kReachable,
   kUnreachable,
-  /// Connected or not within the error bound of the offset: a gap is at most 3 mm wider than the
-  /// robot and does not lead straight through, or a barrier would run across such a gap.
+  /// Neither a path nor a barrier passed its check. On maps whose walls lie on the grid that means
+  /// a gap within 2 nm of the robot's width; else the robot fits, or does not, by less than the
+  /// snapping error (snapping_error_m).
   kUndecided,
 };
 
@@ -52,14 +53,13 @@ struct ExactAnswer {
 
   /// The Euclidean shortest path, start first; empty where there is none. For a disc: the shortest
   /// within the offset free space (docs/exact-planning.md states its bound). Where that is cut by
-  /// gaps less than 3 mm wider than the disc: shortest paths to and from the middle of each gap,
-  /// and straight through.
+  /// gaps less than 3 mm wider than the disc: shortest paths from gap to gap, and the medial axis
+  /// through each.
   std::vector<Point> path;
   double length_m = 0.0;
 
   /// Where both places are free and not connected: a closed polygon that the robot cannot cross and
-  /// that separates them, checked with integers (exact/barrier.hpp). Empty for a point robot where
-  /// both places lie on outlines.
+  /// that separates them, checked with integers (exact/barrier.hpp).
   std::vector<BarrierSide> barrier;
 };
 

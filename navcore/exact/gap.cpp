@@ -22,11 +22,6 @@ double distance_to_line_mm(GridPoint p, const VoronoiSite& s) {
   return std::sqrt(static_cast<double>(Wide{area} * area) / length_of_segment_squared(s));
 }
 
-Point foot_on_line(Point p, const VoronoiSite& s) {
-  const Point a = to_point(s.a), d = to_point(s.b) - a;
-  return a + (dot(p - a, d) / squared_length(d)) * d;
-}
-
 std::optional<Gap> gap_to_segment(const VoronoiSite& point, const VoronoiSite& segment) {
   const GridPoint p = point.a;
   if (p == segment.a || p == segment.b) return std::nullopt;
@@ -53,6 +48,11 @@ std::optional<Gap> gap_of_parallels(const VoronoiSite& p, const VoronoiSite& q) 
 }
 
 }  // namespace
+
+Point foot_on_line(Point p, const VoronoiSite& segment) {
+  const Point a = to_point(segment.a), d = to_point(segment.b) - a;
+  return a + (dot(p - a, d) / squared_length(d)) * d;
+}
 
 std::optional<Gap> gap_between(const VoronoiSite& p, const VoronoiSite& q) {
   if (p.is_point() && q.is_point()) {

@@ -21,4 +21,7 @@ struct Gap {
 /// width is the exact value, rounded once for its square and once for the root.
 std::optional<Gap> gap_between(const VoronoiSite& p, const VoronoiSite& q);
 
+/// Foot of the perpendicular from p (mm) to the line through a segment.
+Point foot_on_line(Point p, const VoronoiSite& segment);
+
 }  // namespace mapwright::navcore::exact

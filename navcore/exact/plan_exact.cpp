@@ -23,7 +23,8 @@ std::string why_not_standing(const ExactPlanner& planner, const ExactAnswer& ans
 
 std::string why_undecided(const ExactPlanner& planner, const PlanningResult& result) {
   std::string reason = "whether there is a way lies within the error of the exact planner, " +
-                       metres(planner.offset_error().elsewhere_m) + " at each side of the robot";
+                       metres(planner.snapping_error_m() + 1e-9) +
+                       " by which walls were moved to its grid";
   if (result.bottleneck_m) {
     reason += ": the widest way is " + metres(*result.bottleneck_m) + " wide where it is narrowest";
   }

@@ -1,12 +1,11 @@
 #include "navcore/exact/voronoi_graph.hpp"
 
-#include <boost/polygon/voronoi.hpp>
 #include <numeric>
+
+#include "navcore/exact/voronoi_diagram.hpp"
 
 namespace mapwright::navcore::exact {
 namespace {
-
-using Diagram = boost::polygon::voronoi_diagram<double>;
 
 // Edges of the line work with free space on at least one side.
 std::vector<std::uint32_t> bounding_edges(const Tessellation& space) {
@@ -24,41 +23,14 @@ std::vector<std::uint32_t> bounding_edges(const Tessellation& space) {
   return edges;
 }
 
-void sweep(const LineWork& work, const std::vector<std::uint32_t>& edges, Diagram& diagram) {
-  boost::polygon::voronoi_builder<std::int32_t> builder;
-  for (const std::uint32_t edge : edges) {
-    const GridPoint a = work.vertices[work.edges[edge].a], b = work.vertices[work.edges[edge].b];
-    builder.insert_segment(a.x, a.y, b.x, b.y);
-  }
-  builder.construct(&diagram);
-}
-
-VoronoiSite site_of(const Diagram::cell_type& cell, const LineWork& work,
-                    const std::vector<std::uint32_t>& edges) {
-  const std::uint32_t number = edges[cell.source_index()];
-  const GridPoint a = work.vertices[work.edges[number].a], b = work.vertices[work.edges[number].b];
-  if (cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT) {
-    return {a, a, number};
-  }
-  if (cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_END_POINT) {
-    return {b, b, number};
-  }
-  return {a, b, number};
-}
-
-void add_edges(const Diagram& diagram, VoronoiGraph& graph) {
-  const auto& edges = diagram.edges();
+void add_edges(const VoronoiDiagram& diagram, VoronoiGraph& graph) {
+  const auto& edges = diagram.diagram().edges();
+  graph.edges.reserve(edges.size() / 2);
   for (std::size_t i = 0; i < edges.size(); i += 2) {  // twins follow each other
     const auto& edge = edges[i];
-    if (!edge.is_primary() || !edge.is_finite()) continue;
-    const auto number = [&](const Diagram::vertex_type* vertex) {
-      return static_cast<std::uint32_t>(vertex - diagram.vertices().data());
-    };
-    const auto site = [&](const Diagram::edge_type& side) {
-      return static_cast<std::uint32_t>(side.cell() - diagram.cells().data());
-    };
-    graph.edges.push_back(
-        {number(edge.vertex0()), number(edge.vertex1()), site(edge), site(*edge.twin())});
+    if (!VoronoiDiagram::is_inner(edge)) continue;
+    graph.edges.push_back({diagram.number_of(edge.vertex0()), diagram.number_of(edge.vertex1()),
+                           diagram.number_of(edge.cell()), diagram.number_of(edge.twin()->cell())});
   }
 }
 
@@ -85,20 +57,41 @@ double distance_to(const VoronoiSite& site, Point p) {
   return distance(p, closest_point_on_segment(p, a, b));
 }
 
-VoronoiGraph build_voronoi_graph(const Tessellation& space) {
-  VoronoiGraph graph;
-  const auto edges = bounding_edges(space);
-  if (edges.empty()) {
-    graph.first_edge.push_back(0);
-    return graph;
+VoronoiDiagram::VoronoiDiagram(const Tessellation& space)
+    : work_(space.work), edges_(bounding_edges(space)) {
+  if (edges_.empty()) return;
+  boost::polygon::voronoi_builder<std::int32_t> builder;
+  for (const std::uint32_t edge : edges_) {
+    const GridPoint a = work_.vertices[work_.edges[edge].a],
+                    b = work_.vertices[work_.edges[edge].b];
+    builder.insert_segment(a.x, a.y, b.x, b.y);
   }
-  Diagram diagram;
-  sweep(space.work, edges, diagram);
+  builder.construct(&diagram_);
+}
+
+VoronoiSite VoronoiDiagram::site_of(const Cell& cell) const {
+  const std::uint32_t number = edges_[cell.source_index()];
+  const Edge& edge = work_.edges[number];
+  const GridPoint a = work_.vertices[edge.a], b = work_.vertices[edge.b];
+  switch (cell.source_category()) {
+    case boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT:
+      return {a, a, number};
+    case boost::polygon::SOURCE_CATEGORY_SEGMENT_END_POINT:
+      return {b, b, number};
+    default:
+      return {a, b, number};
+  }
+}
+
+VoronoiGraph build_voronoi_graph(const Tessellation& space) {
+  const VoronoiDiagram voronoi(space);
+  const auto& diagram = voronoi.diagram();
+  VoronoiGraph graph;
   graph.vertices.reserve(diagram.num_vertices());
   for (const auto& vertex : diagram.vertices()) graph.vertices.push_back({vertex.x(), vertex.y()});
   graph.sites.reserve(diagram.num_cells());
-  for (const auto& cell : diagram.cells()) graph.sites.push_back(site_of(cell, space.work, edges));
-  add_edges(diagram, graph);
+  for (const auto& cell : diagram.cells()) graph.sites.push_back(voronoi.site_of(cell));
+  add_edges(voronoi, graph);
   group_edges_by_site(graph);
   return graph;
 }

@@ -154,22 +154,42 @@ std::optional<Widths::Foot> Widths::foot_of(GridPoint p) const {
   return follow_ray(site, nearest->at, direction, nearest->distance_m);
 }
 
+// How far a point that has the edge's two sites as nearest ones lies off the edge itself.
+double Widths::distance_off(const VoronoiEdge& edge, Point p) const {
+  const Point from = graph_.vertices[edge.from], to = graph_.vertices[edge.to];
+  const VoronoiSite &first = graph_.sites[edge.first_site],
+                    &second = graph_.sites[edge.second_site];
+  if (first.is_point() == second.is_point()) {
+    return distance(p, closest_point_on_segment(p, from, to));
+  }
+  const VoronoiSite& line = first.is_point() ? second : first;
+  const Point d = to_point(line.b) - to_point(line.a);
+  const double scale = 1.0 / length(d);
+  const double s = scale * dot(from - p, d), t = scale * dot(to - p, d);
+  return std::max({0.0, std::min(s, t), -std::max(s, t)});
+}
+
 // A disc that grows while it stays in touch with `from`: the first other site it touches, and the
 // edge of the medial axis it reaches thereby.
 std::optional<Widths::Foot> Widths::follow_ray(std::uint32_t site, Point from, Point direction,
                                                double clearance_mm) const {
-  double best_mm = HUGE_VAL;
+  double best_mm = HUGE_VAL, least_off_mm = HUGE_VAL;
   Foot foot{kNone, {}, clearance_mm, site};
   for (const std::uint32_t number : graph_.edges_around(site)) {
     const VoronoiEdge& edge = graph_.edges[number];
     const std::uint32_t other = edge.first_site == site ? edge.second_site : edge.first_site;
     const VoronoiSite& s = graph_.sites[other];
     const double reach_mm = growth_until_touching(s, from, direction);
+    if (reach_mm == HUGE_VAL) continue;
     const Point at = from + reach_mm * direction;
     const double slack_mm = kVertexError_mm + 1e-9 * reach_mm;
-    if (reach_mm >= best_mm || reach_mm < clearance_mm - slack_mm) continue;
+    if (reach_mm > best_mm + slack_mm || reach_mm < clearance_mm - slack_mm) continue;
     if (std::abs(distance_to(s, at) - reach_mm) > slack_mm) continue;  // beyond the segment's ends
+    // Two sites can share several edges, on both sides of a wall for instance.
+    const double off_mm = distance_off(edge, at);
+    if (reach_mm >= best_mm - slack_mm && off_mm >= least_off_mm) continue;
     best_mm = reach_mm;
+    least_off_mm = off_mm;
     foot.edge = number;
     foot.at = at;
   }
@@ -190,12 +210,14 @@ Widths::Way Widths::between(const Foot& a, const Foot& b) const {
       const auto rank = narrowest_between(from, to);
       if (!rank) continue;
       Way way{a.edge, measure(edge_a, a.at, graph_.vertices[from])};
+      way.first_vertex = from, way.last_vertex = to;
       const Passage last = measure(edge_b, b.at, graph_.vertices[to]);
       way.ends_mm = std::min(way.narrowest.width_mm, last.width_mm);
-      if (last.width_mm < way.narrowest.width_mm) way = {b.edge, last};
-      if (*rank != kNone && passages_[order_[*rank]].width_mm < way.narrowest.width_mm) {
-        way = {order_[*rank], passages_[order_[*rank]]};
-      }
+      const auto narrow_to = [&](std::uint32_t edge, const Passage& passage) {
+        if (passage.width_mm < way.narrowest.width_mm) way.edge = edge, way.narrowest = passage;
+      };
+      narrow_to(b.edge, last);
+      if (*rank != kNone) narrow_to(order_[*rank], passages_[order_[*rank]]);
       // Of equally wide ways the one that does not begin or end with a detour through a gap.
       const bool is_even = way.narrowest.width_mm == best.narrowest.width_mm;
       if (is_even ? way.ends_mm > best.ends_mm : way.narrowest.width_mm > best.narrowest.width_mm) {
@@ -204,6 +226,10 @@ Widths::Way Widths::between(const Foot& a, const Foot& b) const {
     }
   }
   return best;
+}
+
+bool Widths::is_wide_enough(double width_mm, double diameter_mm) {
+  return width_mm >= diameter_mm * (1.0 - kRounding);
 }
 
 // Clearance along an edge falls to one narrowest place and rises from there, so a disc that stands

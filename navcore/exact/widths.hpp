@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mapcore/geometry/segment_index.hpp"
+#include "navcore/exact/medial_rounds.hpp"
 #include "navcore/exact/voronoi_graph.hpp"
 
 namespace mapwright::navcore::exact {
@@ -36,6 +37,22 @@ class Widths {
   /// even a small one.
   std::optional<NarrowPlace> widest_way(GridPoint a, GridPoint b) const;
 
+  /// A way between two free points on which a disc as wide as `widest_way` says can travel (mm,
+  /// corners, both ends included): straight to the medial axis, along it, and straight to the other
+  /// point. Where the axis is curved, tangents stand for it that come nowhere nearer to a wall than
+  /// the curve. Exact but for the rounding of Voronoi vertices (64 units in the last place). Empty
+  /// where no disc travels.
+  std::vector<Point> widest_route(GridPoint a, GridPoint b) const;
+
+  /// What bounds the ground on which a disc of this diameter (mm) that stands at p can travel:
+  /// rounds of sites too near to each other for it to pass between. `space` as for the constructor.
+  /// Empty for a point on an edge.
+  std::vector<SiteRound> rounds_around(const Tessellation& space, GridPoint p,
+                                       double diameter_mm) const;
+
+  /// True if a disc of this diameter passes; touching is passing.
+  static bool is_wide_enough(double width_mm, double diameter_mm);
+
   /// A number that two free points share if and only if a disc of this diameter (mm) can travel
   /// from one to the other. Requires that it can stand at the point; nothing for a point on an
   /// edge.
@@ -64,6 +81,8 @@ class Widths {
     std::uint32_t edge = 0;
     Passage narrowest{-1.0, {}};
     double ends_mm = -1.0;  // width on the first and the last edge of the medial axis
+    // Of the medial axis; none where both ends lie on one edge and the way does not leave it.
+    std::uint32_t first_vertex = UINT32_MAX, last_vertex = UINT32_MAX;
   };
 
   // A segment of index_, and the sites of its inside and its ends.
@@ -79,7 +98,11 @@ class Widths {
   std::optional<Foot> foot_of(GridPoint p) const;
   std::optional<Foot> follow_ray(std::uint32_t site, Point from, Point direction,
                                  double clearance_mm) const;
+  double distance_off(const VoronoiEdge& edge, Point p) const;
   Way between(const Foot& a, const Foot& b) const;
+  void follow_edge(const VoronoiEdge& edge, Point p, Point q, std::vector<Point>& points) const;
+  std::uint32_t top_before(std::uint32_t v, std::uint32_t rank) const;
+  void follow_forest(std::uint32_t from, std::uint32_t to, std::vector<Point>& points) const;
   NarrowPlace place_on(const Way& way) const;
   NarrowPlace place_at_end(GridPoint p, const Foot& foot) const;
 

@@ -55,6 +55,20 @@ TEST(Bottleneck, IsNowhereWhereNothingPasses) {
   EXPECT_TRUE(planner.bottleneck({5, 5}, {5, 5}).has_value());
 }
 
+// The wall and the border share an edge of the medial axis on each side of the wall.
+TEST(Bottleneck, TellsTheSidesOfAWallApart) {
+  Map map{{0, 20, 20, 0}, {}};
+  map.obstacles.push_back(test::wall(1, {14, 0}, {14, 19}, 1.0));
+  const auto planner = planner_of(map);
+  for (const double y_m : {17.0, 18.0, 18.2}) {
+    const auto narrow = planner.bottleneck({10.9, 14.5}, {15.3, y_m});
+    ASSERT_TRUE(narrow.has_value());
+    EXPECT_NEAR(narrow->width_m, 1.0, 1e-12);
+    EXPECT_EQ(planner.region_at({15.3, y_m}, 0.6), planner.region_at({18, 5}, 0.6));
+    EXPECT_NE(planner.region_at({15.3, y_m}, 0.6), planner.region_at({10.9, 14.5}, 0.6));
+  }
+}
+
 TEST(Bottleneck, LiesBetweenACornerAndAWall) {
   Map map{{0, 10, 20, 0}, {}};
   map.obstacles.push_back(test::outline(1, {{8, 0}, {12, 0}, {10.5, 9.3}}, 1.0));
