@@ -52,18 +52,42 @@ void add_particles(const Json& particles, converter::Overlay& overlay) {
   overlay.items.insert(overlay.items.end(), sizes.begin(), sizes.end());
 }
 
-// What the robot saw, from where it stood.
-void add_seen(const Json& answer, const Json& iteration, converter::Overlay& overlay) {
-  if (!iteration.contains("scan") || !iteration.contains("true_pose")) return;
+// A recorded scan's beams say themselves where they look.
+std::vector<double> angles_of(const Json& answer, const Json& iteration) {
+  if (iteration.contains("angles_deg")) {
+    return iteration.at("angles_deg").get<std::vector<double>>();
+  }
   const Json& settings = answer.at("settings");
   navcore::LaserModel laser;
   laser.rays = settings.at("rays").get<std::size_t>();
   laser.fov_deg = settings.at("fov_deg").get<double>();
-  laser.max_range_m = settings.at("max_range").get<double>();
   std::vector<double> angles_deg;
   for (std::size_t i = 0; i < laser.rays; ++i) angles_deg.push_back(ray_angle_deg(laser, i));
-  const auto ranges_m = iteration.at("scan").get<std::vector<double>>();
-  add_scan(overlay, pose_of(iteration.at("true_pose")), angles_deg, ranges_m, laser.max_range_m);
+  return angles_deg;
+}
+
+// What the robot saw, from where it stood.
+void add_seen(const Json& answer, const Json& iteration, converter::Overlay& overlay) {
+  const bool recorded = iteration.contains("ranges");
+  const char* from = recorded ? "estimate" : "true_pose";
+  const char* ranges = recorded ? "ranges" : "scan";
+  if (!iteration.contains(from) || !iteration.contains(ranges)) return;
+  add_scan(overlay, pose_of(iteration.at(from)), angles_of(answer, iteration),
+           iteration.at(ranges).get<std::vector<double>>(),
+           answer.at("settings").at("max_range").get<double>());
+}
+
+// The way up to the iteration shown.
+void add_way(const Json& answer, const Json& shown, const char* key, Colour colour, double width_pt,
+             const char* meaning, converter::Overlay& overlay) {
+  converter::OverlayPath way{{}, {colour, width_pt}};
+  for (const auto& iteration : answer.at("iterations")) {
+    if (iteration.contains(key)) way.points.push_back(pose_of(iteration.at(key)).position());
+    if (iteration.at("n") == shown.at("n")) break;
+  }
+  if (way.points.size() < 2) return;
+  add_legend(overlay, way, meaning);
+  overlay.items.emplace_back(std::move(way));
 }
 
 }  // namespace
@@ -71,9 +95,16 @@ void add_seen(const Json& answer, const Json& iteration, converter::Overlay& ove
 void draw_localization(const Json& answer, converter::Overlay& overlay,
                        std::optional<std::size_t> iteration) {
   const Json& shown = chosen_iteration(answer, iteration);
-  const Json& particles = particles_of(shown);
+  const bool recorded = shown.contains("t");  // of a log
   add_seen(answer, shown, overlay);
-  add_particles(particles, overlay);
+  if (recorded) {
+    add_way(answer, shown, "reference", kTruth, 2.4, "way by the reference", overlay);
+    add_way(answer, shown, "estimate", kEstimate, 1.0, "way as estimated", overlay);
+  }
+  if (!recorded || shown.contains("particle_set")) add_particles(particles_of(shown), overlay);
+  if (shown.contains("reference")) {
+    add_robot(overlay, pose_of(shown.at("reference")), 4.5, kTruth, "reference");
+  }
   if (shown.contains("true_pose")) {
     add_robot(overlay, pose_of(shown.at("true_pose")), 4.5, kTruth, "true pose");
   }

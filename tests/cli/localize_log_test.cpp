@@ -112,6 +112,18 @@ TEST_F(LocalizeLog, AnswersTheSameOnAnyNumberOfThreads) {
   EXPECT_TRUE(Json::parse(first.out)["iterations"][0].contains("particle_set"));
 }
 
+TEST_F(LocalizeLog, IsDrawnWithBothWays) {
+  const auto answer = localize({"--odometry", odometry_, "--initial-pose", "2,1.5,0",
+                                "--with-particles", "--format", "json"});
+  const auto overlay = folder_.file("loc.json", answer.out);
+  const auto picture = folder_.path("loc.svg");
+  ASSERT_EQ(run({"render", map_, "--overlay", overlay, "-o", picture}).status, 0);
+  const auto frames =
+      run({"render", map_, "--overlay", overlay, "-o", picture, "--iteration", "all"});
+  EXPECT_EQ(frames.status, 0) << frames.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path("loc-12.svg")));
+}
+
 TEST_F(LocalizeLog, RefusesWhatMakesNoSense) {
   EXPECT_EQ(localize({"--pose", "1,1,0"}).status, 2);
   EXPECT_EQ(localize({"--fov", "90"}).status, 2);
