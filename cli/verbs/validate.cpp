@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iomanip>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "cli/verb.hpp"
 #include "converter/ledger/obstacle_sources.hpp"
 #include "validators/check_pages.hpp"
+#include "validators/fix/fix_map.hpp"
 #include "validators/report/report.hpp"
 #include "validators/validator.hpp"
 
@@ -43,9 +45,11 @@ Examples:
 )";
 
 void print_catalogue(std::ostream& out) {
+  const auto& fixable = validators::fixable_codes();
   for (const auto& type : finding_catalogue()) {
     out << type.id << "  " << std::left << std::setw(8) << to_string(type.severity) << "  "
-        << std::setw(26) << type.name << "  " << type.summary << '\n';
+        << std::setw(26) << type.name << "  " << type.summary
+        << (std::binary_search(fixable.begin(), fixable.end(), type.code) ? " [fix]" : "") << '\n';
   }
 }
 
@@ -65,7 +69,8 @@ class Validate : public Verb {
     add("ledger", po::value(&ledger_),
         "what convert --report wrote for the map: findings name GIS layer and feature");
     add("list", po::bool_switch(&list_),
-        "list all findings there are: code, severity, name, what it means");
+        "list all findings there are: code, severity, name, what it means; [fix] marks those that "
+        "the verb fix can repair");
     add("explain", po::value(&explain_),
         "print the page of a code: what it is, why it hurts a robot, how to fix it");
     declare_policy_options(options);
