@@ -1,4 +1,4 @@
-// Private to this folder: What a fixer sees, and what it proposes.
+// What a fixer sees, and what it proposes.
 #pragma once
 
 #include <optional>

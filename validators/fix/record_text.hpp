@@ -1,4 +1,4 @@
-// Private to this folder: The bytes of a map's records, and edits of them.
+// The bytes of a map's records, and edits of them.
 #pragma once
 
 #include <array>
