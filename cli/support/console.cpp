@@ -7,48 +7,79 @@
 namespace mapwright::cli {
 namespace {
 
-constexpr int kBarWidth = 40;
+using Clock = std::chrono::steady_clock;
 
-void draw_bar(std::ostream& err, const std::string& what, std::size_t done, std::size_t total) {
+constexpr int kBarWidth = 40;
+constexpr std::chrono::milliseconds kRedraw{100};
+constexpr double kFirstEstimate_s = 2.0;  // earlier ones are wild
+
+std::string span_text(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  if (whole < 60) return std::to_string(whole) + " s";
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
+}
+
+std::string time_left(Clock::duration gone, std::size_t done, std::size_t total) {
+  const double gone_s = std::chrono::duration<double>(gone).count();
+  if (done == 0 || gone_s < kFirstEstimate_s) return {};
+  const double share = static_cast<double>(total - done) / static_cast<double>(done);
+  return ", " + span_text(gone_s * share) + " left";
+}
+
+std::string bar(const std::string& what, std::size_t done, std::size_t total) {
   const double share = total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total);
   const int filled = static_cast<int>(share * kBarWidth);
-  err << '\r' << what << " [" << std::string(filled, '=') << std::string(kBarWidth - filled, ' ')
-      << "] " << static_cast<int>(share * 100.0) << " %" << std::flush;
-  if (done >= total) err << "\r\033[K" << std::flush;
+  return what + " [" + std::string(filled, '=') + std::string(kBarWidth - filled, ' ') + "] " +
+         std::to_string(static_cast<int>(share * 100.0)) + " %, " + std::to_string(done) + " of " +
+         std::to_string(total);
 }
 
 }  // namespace
 
 void Console::error(std::string_view message) {
-  err_ << "mapwright: error: " << message << '\n';
+  write_line("mapwright: error: ", message);
 }
 
 void Console::complaint(std::string_view line) {
-  err_ << line << '\n';
+  write_line({}, line);
 }
 
 void Console::warning(std::string_view message) {
-  if (verbosity_ != Verbosity::kQuiet) err_ << "mapwright: warning: " << message << '\n';
+  if (verbosity_ != Verbosity::kQuiet) write_line("mapwright: warning: ", message);
 }
 
 void Console::note(std::string_view message) {
-  if (verbosity_ != Verbosity::kQuiet) err_ << message << '\n';
+  if (verbosity_ != Verbosity::kQuiet) write_line({}, message);
 }
 
 void Console::detail(std::string_view message) {
-  if (verbosity_ == Verbosity::kVerbose) err_ << message << '\n';
+  if (verbosity_ == Verbosity::kVerbose) write_line({}, message);
 }
 
 std::function<void(std::size_t, std::size_t)> Console::progress(std::string_view what) {
   if (!err_is_terminal_ || verbosity_ == Verbosity::kQuiet) return [](std::size_t, std::size_t) {};
-  using Clock = std::chrono::steady_clock;
-  return [this, text = std::string(what), last = Clock::time_point{}](std::size_t done,
-                                                                      std::size_t total) mutable {
+  return [this, text = std::string(what), start = Clock::now(), last = Clock::time_point{}](
+             std::size_t done, std::size_t total) mutable {
     const auto now = Clock::now();
-    if (done < total && now - last < std::chrono::milliseconds(100)) return;
+    if (done < total && now - last < kRedraw) return;
     last = now;
-    draw_bar(err_, text, done, total);
+    clear_bar();
+    if (done >= total) return;
+    err_ << bar(text, done, total) << time_left(now - start, done, total) << std::flush;
+    bar_is_drawn_ = true;
   };
+}
+
+// A line takes the place of the bar, which is drawn again below it.
+void Console::write_line(std::string_view prefix, std::string_view text) {
+  clear_bar();
+  err_ << prefix << text << '\n';
+}
+
+void Console::clear_bar() {
+  if (bar_is_drawn_) err_ << "\r\033[K" << std::flush;
+  bar_is_drawn_ = false;
 }
 
 }  // namespace mapwright::cli

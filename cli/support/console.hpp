@@ -30,14 +30,19 @@ class Console {
   /// A line only --verbose asks for.
   void detail(std::string_view message);
 
-  /// Called with (done, total) during long work; draws a bar on a terminal and nothing elsewhere.
+  /// Called with (done, total) during long work; draws a bar with counts and the time left on a
+  /// terminal, and nothing elsewhere.
   std::function<void(std::size_t, std::size_t)> progress(std::string_view what);
 
  private:
+  void write_line(std::string_view prefix, std::string_view text);
+  void clear_bar();
+
   std::ostream& out_;
   std::ostream& err_;
   bool err_is_terminal_;
   Verbosity verbosity_ = Verbosity::kNormal;
+  bool bar_is_drawn_ = false;
 };
 
 }  // namespace mapwright::cli

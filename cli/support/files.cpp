@@ -104,7 +104,8 @@ std::string create_temporary_beside(const std::string& target) {
 void remove_temporary_files_on_interrupt() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  std::signal(SIGHUP, on_interrupt);
+  // nohup means it.
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 std::string read_file(const std::string& path) {

@@ -2,27 +2,77 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
 
 #include "cli/support/arguments.hpp"
+#include "cli/support/digest.hpp"
 #include "cli/support/error.hpp"
+#include "cli/support/findings_text.hpp"
 
 namespace mapwright::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> maps_in(const std::string& folder) {
-  std::vector<std::string> maps;
+bool is_hidden(const fs::path& path) {
+  return path.filename().string().starts_with('.');
+}
+
+[[noreturn]] void fail_to_list(const std::string& folder, const std::error_code& error) {
+  throw Error(ExitStatus::kInput, folder + ": cannot be listed: " + error.message());
+}
+
+// Links to folders are not followed: they may lead in circles.
+void collect_maps(const std::string& top, const fs::path& folder, Subfolders subfolders,
+                  std::vector<MapInput>& maps) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".txt" && !entry.is_directory()) {
-      maps.push_back(entry.path().string());
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::path& path = entry->path();
+    if (is_hidden(path)) continue;
+    std::error_code ignored;
+    if (entry->is_directory(ignored)) {
+      const bool enter = subfolders == Subfolders::kEnter && !entry->is_symlink(ignored);
+      if (enter) collect_maps(top, path, subfolders, maps);
+    } else if (path.extension() == ".txt") {
+      maps.push_back({path.string(), path.lexically_relative(top).generic_string()});
     }
   }
-  if (error) throw Error(ExitStatus::kInput, folder + ": cannot be listed: " + error.message());
-  if (maps.empty()) throw Error(ExitStatus::kInput, folder + ": holds no map (*.txt)");
-  std::sort(maps.begin(), maps.end());
-  return maps;
+  if (error) fail_to_list(folder.string(), error);
+}
+
+void add_folder(const std::string& folder, Subfolders subfolders, std::vector<MapInput>& maps) {
+  const std::size_t before = maps.size();
+  collect_maps(folder, folder, subfolders, maps);
+  if (maps.size() > before) return;
+  fail_usage(
+      folder + ": holds no map (*.txt)" +
+      (subfolders == Subfolders::kSkip ? "; --recursive looks into its subfolders too" : ""));
+}
+
+// The same for all ways to write a path.
+std::string identity(const std::string& path) {
+  if (path == "-") return path;
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  return (error ? fs::path(path) : absolute).lexically_normal().string();
+}
+
+// Each file once, under the shortest of the names that were given for it.
+std::vector<MapInput> by_path(std::vector<MapInput> maps) {
+  std::map<std::string, MapInput> files;
+  for (auto& map : maps) {
+    MapInput& known = files[identity(map.path)];
+    if (known.path.empty() || map.path.size() < known.path.size()) known = std::move(map);
+  }
+  std::vector<MapInput> sorted;
+  for (auto& [file, map] : files) sorted.push_back(std::move(map));
+  std::stable_sort(sorted.begin(), sorted.end(), [](const MapInput& a, const MapInput& b) {
+    return display_path(a.path) < display_path(b.path);
+  });
+  return sorted;
 }
 
 }  // namespace
@@ -38,23 +88,25 @@ Shard parse_shard(const std::string& option, const std::string& text) {
   return shard;
 }
 
-std::vector<std::string> expand_map_paths(const std::vector<std::string>& paths) {
-  std::vector<std::string> maps;
+std::vector<MapInput> expand_map_paths(const std::vector<std::string>& paths,
+                                       Subfolders subfolders) {
+  std::vector<MapInput> maps;
   for (const auto& path : paths) {
     std::error_code error;
-    if (path == "-" || !fs::is_directory(path, error)) {
-      maps.push_back(path);
-      continue;
+    if (path != "-" && fs::is_directory(path, error)) {
+      add_folder(path, subfolders, maps);
+    } else {
+      maps.push_back({path, fs::path(path).lexically_normal().generic_string()});
     }
-    const auto found = maps_in(path);
-    maps.insert(maps.end(), found.begin(), found.end());
   }
-  return maps;
+  return by_path(std::move(maps));
 }
 
-std::vector<std::string> shard_of(const std::vector<std::string>& paths, const Shard& shard) {
-  std::vector<std::string> part;
-  for (std::size_t i = shard.part - 1; i < paths.size(); i += shard.parts) part.push_back(paths[i]);
+std::vector<MapInput> shard_of(const std::vector<MapInput>& maps, const Shard& shard) {
+  std::vector<MapInput> part;
+  for (const auto& map : maps) {
+    if (hash64(map.key) % shard.parts == shard.part - 1) part.push_back(map);
+  }
   return part;
 }
 

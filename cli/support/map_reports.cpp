@@ -65,7 +65,7 @@ std::optional<Finding> sidecar_finding(const std::string& map_path) {
 
 void ReportTotals::add(const validators::MapReport& report) {
   ++maps_;
-  unreadable_ += report.unreadable ? 1 : 0;
+  if (report.unreadable) ++count_of(report.interruption);
   failed_ += !report.unreadable && !report.passes() ? 1 : 0;
   suppressed_ += report.suppressed.size();
   add_findings(report.findings);
@@ -87,11 +87,26 @@ void ReportTotals::add_findings(const std::vector<Finding>& findings) {
   }
 }
 
+std::size_t& ReportTotals::count_of(validators::Interruption interruption) {
+  switch (interruption) {
+    case validators::Interruption::kNone:
+      return unreadable_;
+    case validators::Interruption::kCrash:
+      return crashed_;
+    case validators::Interruption::kTimeLimit:
+    case validators::Interruption::kMemoryLimit:
+      return over_limit_;
+  }
+  return unreadable_;
+}
+
 std::string ReportTotals::summary() const {
   std::string text = counted(maps_, "map") + ": ";
-  text +=
-      std::to_string(maps_ - failed_ - unreadable_) + " fit, " + std::to_string(failed_) + " not";
+  const std::size_t fit = maps_ - failed_ - unreadable_ - over_limit_ - crashed_;
+  text += std::to_string(fit) + " fit, " + std::to_string(failed_) + " not";
   if (unreadable_ > 0) text += ", " + std::to_string(unreadable_) + " unreadable";
+  if (over_limit_ > 0) text += ", " + std::to_string(over_limit_) + " over a limit";
+  if (crashed_ > 0) text += ", " + std::to_string(crashed_) + " crashed";
   text += "; " + counted(errors_, "error") + ", " + counted(warnings_, "warning");
   if (notes_ > 0) text += ", " + counted(notes_, "note");
   if (suppressed_ > 0) text += "; " + std::to_string(suppressed_) + " suppressed";
@@ -99,8 +114,9 @@ std::string ReportTotals::summary() const {
 }
 
 ExitStatus ReportTotals::status() const {
+  if (crashed_ > 0) return ExitStatus::kInternal;
   if (unreadable_ > 0) return ExitStatus::kInput;
-  return errors_ > 0 ? ExitStatus::kNegative : ExitStatus::kSuccess;
+  return errors_ + over_limit_ > 0 ? ExitStatus::kNegative : ExitStatus::kSuccess;
 }
 
 }  // namespace mapwright::cli

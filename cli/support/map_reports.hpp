@@ -40,12 +40,15 @@ class ReportTotals {
   /// "3 maps: 2 fit, 1 not; 4 errors, 1 warning", and what was suppressed.
   std::string summary() const;
 
-  /// kInput where a map could not be read, kNegative for errors found, else kSuccess.
+  /// kInternal where the check of a map crashed, kInput where a map could not be read, kNegative
+  /// for errors found or limits exceeded, else kSuccess.
   ExitStatus status() const;
 
  private:
-  std::size_t maps_ = 0, unreadable_ = 0, failed_ = 0, errors_ = 0, warnings_ = 0, notes_ = 0;
-  std::size_t suppressed_ = 0;
+  std::size_t& count_of(validators::Interruption interruption);
+
+  std::size_t maps_ = 0, unreadable_ = 0, over_limit_ = 0, crashed_ = 0, failed_ = 0;
+  std::size_t errors_ = 0, warnings_ = 0, notes_ = 0, suppressed_ = 0;
 };
 
 }  // namespace mapwright::cli

@@ -1,30 +1,25 @@
 #include <algorithm>
-#include <exception>
-#include <map>
-#include <mutex>
+#include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 
+#include "cli/check/batch.hpp"
 #include "cli/check/gate_arguments.hpp"
+#include "cli/check/record_sink.hpp"
+#include "cli/check/run_settings.hpp"
+#include "cli/check/shard_part.hpp"
 #include "cli/support/arguments.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
-#include "cli/support/findings_text.hpp"
-#include "cli/support/map_files.hpp"
 #include "cli/support/map_list.hpp"
 #include "cli/support/map_reports.hpp"
-#include "cli/support/map_rules.hpp"
-#include "cli/support/policy_options.hpp"
+#include "cli/support/number_options.hpp"
 #include "cli/verb.hpp"
-#include "navcore/parallel.hpp"
-#include "validators/deployment/deployment_gate.hpp"
 
 namespace mapwright::cli {
 namespace {
 
 namespace po = boost::program_options;
-using validators::MapReport;
 
 constexpr std::string_view kDescription =
     R"(The gate before a map goes to a robot. Each map is validated as the verb validate does, then a
@@ -32,84 +27,22 @@ simulated robot is sent out on it: what it can reach (proved, for its radius), w
 random places are found, whether it finds its own place from laser scans. The verdict is fail if
 there is a finding of severity error; warnings are reasons to look.
 
-A folder stands for the maps (*.txt) in it. A map that cannot be read costs only itself.
+A folder stands for the maps (*.txt) in it. Each map is checked in a process of its own: one that
+cannot be read, takes too long or too much memory, or makes the program crash costs only itself.
+Maps are reported by path, each once.
 
 Examples:
   mapwright check campus.txt
   mapwright check campus.txt --robot-radius 0.45 --trials 50 --format json -o verdict.json
-  mapwright check maps/ --jobs 8
-  mapwright check maps/ --shard 2/4        (the second of four machines)
-  mapwright check maps/ --config site.yaml --baseline known.json
+  mapwright check maps/ --recursive --jobs 8 --time-limit 60
+  mapwright check maps/ --jobs 8 --journal maps.journal --resume -o report.txt
+                          (after a kill, the same command checks what is left)
+  mapwright check maps/ --shard 2/4 --format json -o part-2.json
+                          (the second of four machines; 'mapwright report merge' joins the parts)
 
-Exit status 1 if a map fails, 3 if one cannot be read.
+Exit status 1 if a map fails or exceeds a limit, 3 if one cannot be read, 5 if one crashes the
+program; the report is complete all the same.
 )";
-
-/// A map's report with the text it quotes.
-struct CheckedMap {
-  std::string path;
-  std::string text;
-  std::vector<Finding> findings;
-  std::vector<validators::ReportSection> sections;
-  std::optional<std::string> unreadable;
-  std::vector<validators::Fingerprint> names = {};
-  std::vector<validators::SuppressedFinding> suppressed = {};
-};
-
-CheckedMap check_map(const std::string& path, const validators::GateOptions& options,
-                     const MapRules& rules) {
-  CheckedMap checked{std::string(display_path(path)), {}, {}, {}, {}};
-  try {
-    const MapDocument document = read_map_file(path);
-    validators::GateOutcome outcome = check_deployment(document, options);
-    if (auto finding = sidecar_finding(path)) outcome.findings.push_back(*std::move(finding));
-    checked.sections = deployment_sections(outcome, options);
-    auto judgement = rules.judge(path, document, std::move(outcome.findings));
-    checked.findings = std::move(judgement.findings);
-    checked.names = std::move(judgement.names);
-    checked.suppressed = std::move(judgement.suppressed);
-    checked.text = document.text;
-  } catch (const Error& error) {
-    checked.unreadable = error.what();
-  } catch (const std::exception& error) {
-    checked.unreadable = checked.path + ": cannot be checked: " + error.what();
-  }
-  return checked;
-}
-
-/// Hands maps on in their order, whatever order they are finished in.
-class InOrder {
- public:
-  InOrder(validators::ReportWriter& writer, ReportTotals& totals, MapRules& rules, Console& console)
-      : writer_(writer), totals_(totals), rules_(rules), console_(console) {}
-
-  void add(std::size_t number, CheckedMap checked) {
-    const std::lock_guard lock(mutex_);
-    waiting_.emplace(number, std::move(checked));
-    while (!waiting_.empty() && waiting_.begin()->first == next_) {
-      write(waiting_.begin()->second);
-      waiting_.erase(waiting_.begin());
-      ++next_;
-    }
-  }
-
- private:
-  void write(const CheckedMap& checked) {
-    if (checked.unreadable) console_.error(*checked.unreadable);
-    const MapReport report{checked.path,     checked.text, checked.findings, checked.unreadable,
-                           checked.sections, {},           checked.names,    checked.suppressed};
-    writer_.map(report);
-    totals_.add(report);
-    rules_.add(report);
-  }
-
-  std::mutex mutex_;
-  std::map<std::size_t, CheckedMap> waiting_;
-  std::size_t next_ = 0;
-  validators::ReportWriter& writer_;
-  ReportTotals& totals_;
-  MapRules& rules_;
-  Console& console_;
-};
 
 class Check : public Verb {
  public:
@@ -121,34 +54,30 @@ class Check : public Verb {
   ExitStatus run(Console& console) override;
 
  private:
-  void check_all(const std::vector<std::string>& maps, std::ostream& out, bool colour,
-                 Console& console);
+  void declare_batch(po::options_description& options);
+  void write_report(std::ostream& out, bool colour, Console& console);
+  std::unique_ptr<RecordSink> make_sink(std::ostream& out, bool colour) const;
 
   std::vector<std::string> paths_;
-  std::string format_name_;
-  std::string output_;
+  std::string format_name_, output_, journal_path_;
+  bool recursive_ = false;
+  bool resume_ = false;
+  std::optional<Shard> shard_;
   const validators::ReportFormat* format_ = nullptr;
-  validators::GateOptions options_;
-  Shard shard_;
-  unsigned jobs_ = 1;
-  std::set<std::string> given_;
-  PolicyOptions policy_options_;
-  std::optional<MapRules> rules_;
+  RunSettings settings_;
+  std::vector<MapInput> all_maps_;  // of all shards
+  Batch batch_;
+  std::unique_ptr<Journal> journal_;
   ReportTotals totals_;
 };
 
 void Check::declare(po::options_description& options,
                     po::positional_options_description& positionals) {
-  const auto text = [](const char* value) {
-    return po::value<std::string>()->default_value(value);
-  };
-  auto add = options.add_options();
-  add("map", po::value(&paths_)->required()->composing(),
-      "maps, or folders of maps; - reads standard input");
+  options.add_options()("map", po::value(&paths_)->required()->composing(),
+                        "maps, or folders of maps; - reads standard input");
   declare_gate_options(options);
-  declare_policy_options(options);
-  add("jobs", text("1"), "threads; 0: as many as the machine has. The answer is the same");
-  add("shard", text("1/1"), "part/parts: check this part of the maps only");
+  declare_batch(options);
+  auto add = options.add_options();
   add("format", po::value(&format_name_)->default_value("text"),
       ("how to write the report: " + report_format_names()).c_str());
   add("output,o", po::value(&output_)->default_value("-"),
@@ -156,55 +85,82 @@ void Check::declare(po::options_description& options,
   positionals.add("map", -1);
 }
 
+void Check::declare_batch(po::options_description& options) {
+  const auto text = [](const char* value) {
+    return po::value<std::string>()->default_value(value);
+  };
+  auto add = options.add_options();
+  add("recursive,r", po::bool_switch(&recursive_), "look for maps in subfolders of folders too");
+  add("jobs", text("1"),
+      "maps to check at once; 0: as many as the machine has cores. The report is the same");
+  add("time-limit", text("600"), "seconds that the check of one map may take; 0: no limit");
+  add("memory-limit", text("0"),
+      "megabytes of memory (address space) that the check of one map may take; 0: no limit");
+  add("shard", po::value<std::string>(),
+      "part/parts: check this part of the maps only. Which part a map is in depends on its path "
+      "alone; with --format json the report can be merged");
+  add("journal", po::value(&journal_path_),
+      "keep each map's outcome in this file as soon as known");
+  add("resume", po::bool_switch(&resume_),
+      "go on with the journal: maps in it that have not changed are not checked again");
+}
+
 void Check::configure(const po::variables_map& values) {
-  const auto text = [&](const char* name) { return values[name].as<std::string>(); };
   format_ = &find_report_format(format_name_);
   check_report_output(*format_, output_);
-  shard_ = parse_shard("shard", text("shard"));
-  jobs_ = static_cast<unsigned>(parse_integer("jobs", text("jobs"), 0, 1024));
+  if (values.count("shard") > 0) {
+    shard_ = parse_shard("shard", values["shard"].as<std::string>());
+  }
+  batch_.jobs =
+      static_cast<unsigned>(parse_integer("jobs", values["jobs"].as<std::string>(), 0, 1024));
+  batch_.limits.time_s = number_option(values, "time-limit", 0.0, 1e9);
+  batch_.limits.memory_bytes =
+      static_cast<std::uint64_t>(1e6 * number_option(values, "memory-limit", 0.0, 1e9));
+  batch_.options = gate_options(values);
   if (std::count(paths_.begin(), paths_.end(), "-") > 1) {
     fail_usage("standard input can be read once only");
   }
-  options_ = gate_options(values);
-  given_ = given_options(values);
-  policy_options_ = policy_options(values);
-  if (shard_.parts > 1 && !policy_options_.write_baseline.empty()) {
-    fail_usage("a baseline holds all maps: --write-baseline and --shard exclude each other");
-  }
-}
-
-void Check::check_all(const std::vector<std::string>& maps, std::ostream& out, bool colour,
-                      Console& console) {
-  // One map alone gets all threads for its localization runs.
-  options_.deployment.threads = maps.size() == 1 ? jobs_ : 1;
-  const auto writer = format_->make(out, {"check", colour});
-  InOrder in_order(*writer, totals_, *rules_, console);
-  const auto progress = console.progress("checking");
-  std::mutex mutex;
-  std::size_t done = 0;
-  navcore::parallel_for(maps.size(), 1, jobs_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto options = with_profile(options_, rules_->profile(maps[i]), given_);
-      in_order.add(i, check_map(maps[i], options, *rules_));
-      const std::lock_guard lock(mutex);
-      if (maps.size() > 1) progress(++done, maps.size());
-    }
-  });
-  // Other shards may need the suppressions that this one does not.
-  rules_->finish(*writer, totals_, shard_.parts == 1);
-  writer->finish();
+  if (resume_ && journal_path_.empty())
+    fail_usage("--resume: say with --journal what to go on with");
+  settings_ = run_settings(values);
 }
 
 ExitStatus Check::run(Console& console) {
-  const auto maps = shard_of(expand_map_paths(paths_), shard_);
-  rules_.emplace(policy_options_, maps);
+  const auto subfolders = recursive_ ? Subfolders::kEnter : Subfolders::kSkip;
+  all_maps_ = expand_map_paths(paths_, subfolders);
+  batch_.maps = shard_ ? shard_of(all_maps_, *shard_) : all_maps_;
+  const auto is_piped = [](const MapInput& map) { return map.path == "-"; };
+  if (std::any_of(batch_.maps.begin(), batch_.maps.end(), is_piped)) {
+    batch_.standard_input = read_file("-");
+  }
+  if (!journal_path_.empty()) {
+    const auto start = resume_ ? JournalStart::kResume : JournalStart::kNew;
+    journal_ = std::make_unique<Journal>(journal_path_, settings_.fingerprint(), start);
+  }
   if (output_ == "-") {
-    check_all(maps, console.out(), is_colour_terminal(console), console);
+    write_report(console.out(), is_colour_terminal(console), console);
   } else {
-    write_file(output_, [&](std::ostream& out) { check_all(maps, out, false, console); });
+    write_file(output_, [&](std::ostream& out) { write_report(out, false, console); });
   }
   console.note(totals_.summary());
-  return rules_->status(totals_);
+  return totals_.status();
+}
+
+void Check::write_report(std::ostream& out, bool colour, Console& console) {
+  const auto sink = make_sink(out, colour);
+  check_batch(batch_, journal_.get(), console, [&](const validators::MapRecord& record) {
+    if (record.unreadable) console.error(*record.unreadable);
+    totals_.add(record.report({}));
+    sink->add(record);
+  });
+  sink->finish();
+}
+
+std::unique_ptr<RecordSink> Check::make_sink(std::ostream& out, bool colour) const {
+  if (shard_ && format_->name == "json") {
+    return make_part_sink(shard_header(*shard_, settings_, all_maps_), out);
+  }
+  return make_report_sink(*format_, out, colour, batch_.standard_input);
 }
 
 }  // namespace

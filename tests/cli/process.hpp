@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/program_run.hpp"
@@ -23,10 +24,9 @@ struct ProcessOptions {
   std::size_t largest_file_bytes = 0;  ///< 0: no limit; beyond it writing fails
 };
 
-/// Runs the program's executable; a signal that killed it is status 128 + its number. Files of the
-/// run stand in `folder`.
-inline ProgramRun run_process(const TemporaryFolder& folder, std::vector<std::string> arguments,
-                              const ProcessOptions& options = {}) {
+/// Starts the program's executable. Files of the run stand in `folder`, one run at a time.
+inline pid_t start_process(const TemporaryFolder& folder, std::vector<std::string> arguments,
+                           const ProcessOptions& options = {}) {
   const std::string in = folder.file(".stdin", options.standard_input);
   const std::string err = folder.file(".stderr", "");
   const std::string out =
@@ -53,6 +53,12 @@ inline ProgramRun run_process(const TemporaryFolder& folder, std::vector<std::st
     ::execv(words[0], words.data());
     ::_exit(127);
   }
+  return child;
+}
+
+/// Waits for a run to end; a signal that killed it is status 128 + its number.
+inline ProgramRun wait_for_process(const TemporaryFolder& folder, pid_t child,
+                                   const ProcessOptions& options = {}) {
   int status = 0;
   ::waitpid(child, &status, 0);
   const auto text_of = [](const std::string& path) {
@@ -60,7 +66,14 @@ inline ProgramRun run_process(const TemporaryFolder& folder, std::vector<std::st
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          options.standard_output.empty() ? text_of(out) : "", text_of(err)};
+          options.standard_output.empty() ? text_of(folder.path(".stdout")) : "",
+          text_of(folder.path(".stderr"))};
+}
+
+/// Both.
+inline ProgramRun run_process(const TemporaryFolder& folder, std::vector<std::string> arguments,
+                              const ProcessOptions& options = {}) {
+  return wait_for_process(folder, start_process(folder, std::move(arguments), options), options);
 }
 
 }  // namespace mapwright::test

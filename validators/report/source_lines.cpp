@@ -71,10 +71,14 @@ std::string_view columns(std::string_view line, std::size_t begin, std::size_t e
   return line.substr(first, offset_of(end) - first);
 }
 
+// A column is reached within as many characters, each of at most four bytes: no need to look at the
+// whole of a map that is written on one line.
+std::string_view excerpted_part(std::string_view line, std::size_t column) {
+  return line.substr(0, 4 * (column + kLongestExcerpt));
+}
+
 std::string excerpt(std::string_view line, std::size_t column) {
-  // A column is reached within as many characters, each of at most four bytes: no need to look at
-  // the whole of a map that is written on one line.
-  line = line.substr(0, 4 * (column + kLongestExcerpt));
+  line = excerpted_part(line, column);
   const auto characters = characters_of(line);
   if (characters.empty()) return {};
   const std::size_t first = column > kBeforeCaret + 1 ? column - kBeforeCaret - 1 : 0;

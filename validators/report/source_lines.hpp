@@ -31,6 +31,9 @@ std::size_t field_end(std::string_view line, std::size_t column);
 /// The characters of a line from one column up to another.
 std::string_view columns(std::string_view line, std::size_t begin, std::size_t end);
 
+/// The beginning of a line, as far as `excerpt` looks at it for that column.
+std::string_view excerpted_part(std::string_view line, std::size_t column);
+
 /// A line of text and a caret under one of its columns, indented by two blanks:
 ///
 ///   4.53;12.10;7.29;12.10;5;1;wall;#

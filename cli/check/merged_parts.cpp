@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "cli/check/shard_part.hpp"
+#include "cli/support/digest.hpp"
+#include "cli/support/error.hpp"
+
+namespace mapwright::cli {
+namespace {
+
+using validators::MapRecord;
+using Values = std::map<std::string, std::string>;
+
+std::string value_in(const Values& values, const std::string& name) {
+  const auto found = values.find(name);
+  return found == values.end() ? "not given" : found->second;
+}
+
+// Throws for the first value that differs.
+void require_same(const ShardPart& a, const ShardPart& b, const std::string& what,
+                  const std::string& in_a, const std::string& in_b) {
+  if (in_a == in_b) return;
+  fail_usage("the parts are not of one run: " + what + " is " + in_a + " in " + a.file + " and " +
+             in_b + " in " + b.file);
+}
+
+void require_same_options(const ShardPart& a, const ShardPart& b, const Values& in_a,
+                          const Values& in_b) {
+  Values all = in_a;
+  all.insert(in_b.begin(), in_b.end());
+  for (const auto& [name, value] : all) {
+    require_same(a, b, "--" + name, value_in(in_a, name), value_in(in_b, name));
+  }
+}
+
+void require_same_run(const ShardPart& a, const ShardPart& b) {
+  const auto& [shard_a, settings_a, maps_a, map_set_a] = a.header;
+  const auto& [shard_b, settings_b, maps_b, map_set_b] = b.header;
+  require_same(a, b, "the program's version", settings_a.program, settings_b.program);
+  require_same_options(a, b, settings_a.options, settings_b.options);
+  require_same_options(a, b, settings_a.limits, settings_b.limits);
+  require_same(a, b, "the number of parts", std::to_string(shard_a.parts),
+               std::to_string(shard_b.parts));
+  require_same(a, b, "the number of maps", std::to_string(maps_a), std::to_string(maps_b));
+  require_same(a, b, "the digest of their paths", map_set_a, map_set_b);
+}
+
+// Parts sorted by number.
+void require_each_once(const std::vector<ShardPart>& parts) {
+  const std::size_t count = parts.front().header.shard.parts;
+  std::string missing;
+  std::size_t next = 1;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t number = parts[i].header.shard.part;
+    if (i > 0 && number == parts[i - 1].header.shard.part) {
+      fail_usage("part " + std::to_string(number) + " is there twice: " + parts[i - 1].file +
+                 " and " + parts[i].file);
+    }
+    for (; next < number; ++next) missing += " " + std::to_string(next);
+    next = number + 1;
+  }
+  for (; next <= count; ++next) missing += " " + std::to_string(next);
+  if (missing.empty()) return;
+  fail_usage("of " + std::to_string(count) + " parts these are missing:" + missing +
+             "; a report is merged from all of them");
+}
+
+void require_all_maps(const std::vector<MapRecord>& records, const ShardHeader& header) {
+  std::vector<std::string_view> paths;
+  for (const auto& record : records) paths.push_back(record.path);
+  if (records.size() == header.maps && digest(paths) == header.map_set) return;
+  throw Error(ExitStatus::kInput, "the parts hold " + std::to_string(records.size()) +
+                                      " maps, but not the " + std::to_string(header.maps) +
+                                      " that were to be checked: a part was changed");
+}
+
+}  // namespace
+
+std::vector<MapRecord> merged(std::vector<ShardPart> parts) {
+  for (const auto& part : parts) require_same_run(parts.front(), part);
+  std::stable_sort(parts.begin(), parts.end(), [](const ShardPart& a, const ShardPart& b) {
+    return a.header.shard.part < b.header.shard.part;
+  });
+  require_each_once(parts);
+  std::vector<MapRecord> records;
+  for (auto& part : parts) {
+    std::move(part.records.begin(), part.records.end(), std::back_inserter(records));
+  }
+  std::sort(records.begin(), records.end(),
+            [](const MapRecord& a, const MapRecord& b) { return a.path < b.path; });
+  require_all_maps(records, parts.front().header);
+  return records;
+}
+
+}  // namespace mapwright::cli

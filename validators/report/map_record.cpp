@@ -1,0 +1,50 @@
+#include "validators/report/map_record.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "validators/report/source_lines.hpp"
+
+namespace mapwright::validators {
+namespace {
+
+// By line, the greatest column that a finding names in it.
+std::map<std::size_t, std::size_t> named_columns(const std::vector<Finding>& findings) {
+  std::map<std::size_t, std::size_t> columns;
+  for (const auto& finding : findings) {
+    if (!finding.place) continue;
+    auto& column = columns[finding.place->line];
+    column = std::max(column, finding.place->column);
+  }
+  return columns;
+}
+
+}  // namespace
+
+MapRecord make_record(const MapReport& report, std::string digest) {
+  const auto& [path, text, findings, unreadable, sections, interruption] = report;
+  MapRecord record{std::string(path), std::move(digest), findings, unreadable,
+                   sections,          interruption,      {}};
+  SourceLines lines(text);
+  for (const auto& [number, column] : named_columns(findings)) {
+    record.lines.push_back({number, std::string(excerpted_part(lines.line(number), column))});
+  }
+  return record;
+}
+
+std::string MapRecord::quoted_text() const {
+  std::string text;
+  std::size_t number = 1;
+  for (const auto& line : lines) {
+    text.append(line.number - number, '\n');
+    text += line.text;
+    number = line.number;
+  }
+  return text;
+}
+
+MapReport MapRecord::report(std::string_view text) const {
+  return {path, text, findings, unreadable, sections, interruption};
+}
+
+}  // namespace mapwright::validators
