@@ -11,6 +11,7 @@
 #include "cli/support/map_reports.hpp"
 #include "mapcore/georeference.hpp"
 #include "mapcore/text/reader.hpp"
+#include "validators/fingerprint.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -59,10 +60,11 @@ MapRecord check_map(const std::string& path, const std::optional<std::string>& t
     const MapDocument document = read_map(text ? *text : read_file(path));
     validators::GateOutcome outcome = check_deployment(document, options);
     if (auto finding = sidecar_finding(path)) outcome.findings.push_back(*std::move(finding));
-    const auto sections = deployment_sections(outcome, options);
-    return validators::make_record(
-        {display_path(path), document.text, outcome.findings, {}, sections},
-        map_digest(path, document.text));
+    validators::MapReport report{display_path(path), document.text, {}, {}, {}};
+    report.sections = deployment_sections(outcome, options);
+    report.findings = std::move(outcome.findings);
+    report.names = validators::fingerprints(document, report.findings);
+    return validators::make_record(report, map_digest(path, document.text));
   } catch (const Error& error) {
     return unjudged(path, error.what(), Interruption::kNone);
   }

@@ -33,6 +33,7 @@ MapReport full_report() {
   MapReport report{"maps/\xE9.txt", kText, {full_finding(), quoting(5, 1)}, {}, {}};
   report.sections = {{"planning", R"({"trials":3,"share":0.30000000000000004})", "planning: \xFF"},
                      {"", "", "verdict: pass"}};
+  report.names = {{"1f", "2e"}, {"3d", "4c"}};
   return report;
 }
 
@@ -55,6 +56,7 @@ TEST(MapRecord, ComesBackFromJsonAsItWas) {
   EXPECT_EQ(back.digest, "d1");
   EXPECT_EQ(back.findings, record.findings);
   EXPECT_EQ(back.lines, record.lines);
+  EXPECT_EQ(back.names, record.names);
   ASSERT_EQ(back.sections.size(), 2U);
   EXPECT_EQ(back.sections[0].key, "planning");
   EXPECT_EQ(back.sections[0].json, record.sections[0].json);
@@ -79,7 +81,7 @@ TEST(MapRecord, WhatEndedACheckComesBackToo) {
 }
 
 TEST(MapRecord, ReportsAreWrittenFromItAsFromTheMap) {
-  for (const char* format : {"text", "json"}) {
+  for (const char* format : {"text", "json", "sarif", "junit", "github"}) {
     const auto written = [&](const MapReport& report) {
       std::ostringstream out;
       const auto writer = find_report_format(format)->make(out, {});

@@ -22,9 +22,9 @@ std::map<std::size_t, std::size_t> named_columns(const std::vector<Finding>& fin
 }  // namespace
 
 MapRecord make_record(const MapReport& report, std::string digest) {
-  const auto& [path, text, findings, unreadable, sections, interruption] = report;
+  const auto& [path, text, findings, unreadable, sections, interruption, names] = report;
   MapRecord record{std::string(path), std::move(digest), findings, unreadable,
-                   sections,          interruption,      {}};
+                   sections,          interruption,      names,    {}};
   SourceLines lines(text);
   for (const auto& [number, column] : named_columns(findings)) {
     record.lines.push_back({number, std::string(excerpted_part(lines.line(number), column))});
@@ -44,7 +44,7 @@ std::string MapRecord::quoted_text() const {
 }
 
 MapReport MapRecord::report(std::string_view text) const {
-  return {path, text, findings, unreadable, sections, interruption};
+  return {path, text, findings, unreadable, sections, interruption, names};
 }
 
 }  // namespace mapwright::validators

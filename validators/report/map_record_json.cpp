@@ -18,6 +18,14 @@ Interruption interruption_named(const std::string& name) {
   throw std::invalid_argument("there is no interruption " + name);
 }
 
+Json name_json(const Fingerprint& name) {
+  return {{"place", name.place}, {"subject", name.subject}};
+}
+
+Fingerprint parse_name(const Json& json) {
+  return {json.at("place").get<std::string>(), json.at("subject").get<std::string>()};
+}
+
 // The value of a section stands under its own key, as docs/cli.md has it.
 void put_sections(Json& json, const std::vector<ReportSection>& sections) {
   Json lines = Json::array();
@@ -73,6 +81,10 @@ MapRecord record_of(const Json& json) {
   }
   for (const auto& finding : json.at("findings")) {
     record.findings.push_back(parse_finding_record(finding));
+    if (finding.contains("names")) record.names.push_back(parse_name(finding.at("names")));
+  }
+  if (!record.names.empty() && record.names.size() != record.findings.size()) {
+    throw std::invalid_argument("some findings have names, some have none");
   }
   record.sections = parse_sections(json);
   record.lines = parse_lines(json.at("lines"));
@@ -82,14 +94,17 @@ MapRecord record_of(const Json& json) {
 }  // namespace
 
 std::string record_json(const MapRecord& record) {
-  const auto& [path, digest, findings, unreadable, sections, interruption, lines] = record;
+  const auto& [path, digest, findings, unreadable, sections, interruption, names, lines] = record;
   Json json;
   put_text(json, "path", path);
   json["verdict"] = record.report({}).passes() ? "pass" : "fail";
   if (unreadable) put_text(json, "unreadable", *unreadable);
   if (interruption != Interruption::kNone) json["interrupted"] = to_string(interruption);
   json["findings"] = Json::array();
-  for (const auto& finding : findings) json["findings"].push_back(finding_record_json(finding));
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    json["findings"].push_back(finding_record_json(findings[i]));
+    if (!names.empty()) json["findings"].back()["names"] = name_json(names[i]);
+  }
   put_sections(json, sections);
   json["lines"] = lines_json(lines);
   json["digest"] = digest;
