@@ -37,6 +37,9 @@ class FindingsLayers : public ReportWriter {
     maps_.push_back({path, report.findings, georeference_of(path)});
   }
 
+  // Not the text, but the sidecar beside it: both must be those that the findings are about.
+  bool needs_whole_text() const override { return true; }
+
   void finish() override { out_ << format_(maps_); }
 
  private:

@@ -49,6 +49,7 @@ class Report : public Verb {
     if (job_ != "merge") fail_usage("report: '" + job_ + "' is no job; the one there is: merge");
     if (parts_.empty()) fail_usage("report merge: name the parts");
     format_ = &find_report_format(format_name_);
+    check_report_output(*format_, output_);
   }
 
   ExitStatus run(Console& console) override {

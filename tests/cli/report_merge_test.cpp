@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/support/findings_layers.hpp"
 #include "tests/cli/map_folder.hpp"
 #include "validators/report/report.hpp"
 
@@ -62,10 +63,12 @@ class ReportMerge : public testing::Test {
 TEST_F(ReportMerge, GivesTheBytesOfOneRunInAnyFormatForAnyNumberOfParts) {
   std::filesystem::remove(maps_ + "/m05.txt");
   std::filesystem::create_symlink("nowhere", maps_ + "/m05.txt");  // cannot be read
+  Words names;
+  for (const auto& format : validators::report_formats()) names.emplace_back(format.name);
+  for (const auto& format : cli::gis_report_formats()) names.emplace_back(format.name);
   for (const int n : {1, 3, 10}) {
     const Words files = parts(n);
-    for (const auto& format : validators::report_formats()) {
-      const std::string name(format.name);
+    for (const auto& name : names) {
       const std::string whole = folder_.path("whole." + name);
       const std::string merged = folder_.path("merged." + name);
       EXPECT_EQ(check({maps_, "--format", name, "-o", whole}).status, 3);
@@ -76,6 +79,17 @@ TEST_F(ReportMerge, GivesTheBytesOfOneRunInAnyFormatForAnyNumberOfParts) {
       EXPECT_TRUE(text_of(merged) == text_of(whole)) << name << " of " << n << " parts";
     }
   }
+}
+
+// Formats that draw maps must not draw others than those that were checked.
+TEST_F(ReportMerge, RefusesToDrawMapsThatHaveChanged) {
+  const std::string all = part(1, 1, "all");
+  folder_.file("maps/m00.txt", full_map_text());
+  const std::string page = folder_.path("page.html");
+  expect_refused({all, "--format", "html", "-o", page}, 3,
+                 "m00.txt: has changed since it was checked");
+  EXPECT_FALSE(std::filesystem::exists(page));
+  EXPECT_EQ(merge({all, "--format", "sarif"}).status, 1);
 }
 
 TEST_F(ReportMerge, PartsAreJsonReports) {
