@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "cli/check/checked_map.hpp"
@@ -65,25 +67,17 @@ void check_batch(const Batch& batch, Journal* journal, Console& console,
                  std::to_string(total) + " maps are done already");
   }
   const unsigned jobs = navcore::thread_count(batch.jobs);
-  validators::GateOptions options = batch.options;
   // Where there are fewer maps than jobs, each gets several threads for its localization runs.
-  options.deployment.threads =
-      std::max(1U, jobs / static_cast<unsigned>(std::clamp<std::size_t>(numbers.size(), 1, jobs)));
+  const unsigned threads =
+      jobs / static_cast<unsigned>(std::clamp<std::size_t>(numbers.size(), 1, jobs));
 
   const auto progress = console.progress("checking");
   std::size_t done = 0;
-  const auto path_of = [&](std::size_t i) -> const std::string& {
-    return batch.maps[numbers[i]].path;
-  };
   run_in_workers(
       numbers.size(), jobs, batch.limits,
-      [&](std::size_t i) {
-        const auto& path = path_of(i);
-        const auto text = path == "-" ? batch.standard_input : std::nullopt;
-        return record_json(check_map(path, text, options));
-      },
+      [&](std::size_t i) { return record_json(batch.check(batch.maps[numbers[i]], threads)); },
       [&](std::size_t i, const WorkerOutcome& outcome) {
-        MapRecord record = record_of(outcome, path_of(i), batch.limits);
+        MapRecord record = record_of(outcome, batch.maps[numbers[i]].path, batch.limits);
         if (journal != nullptr) journal->add(record);
         in_order.add(numbers[i], std::move(record));
         if (numbers.size() > 1) progress(++done, numbers.size());

@@ -2,23 +2,20 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "cli/check/journal.hpp"
 #include "cli/support/console.hpp"
 #include "cli/support/map_list.hpp"
 #include "cli/support/worker_pool.hpp"
-#include "validators/deployment/deployment_gate.hpp"
 #include "validators/report/map_record.hpp"
 
 namespace mapwright::cli {
 
 struct Batch {
   std::vector<MapInput> maps;
-  std::optional<std::string> standard_input;  ///< the text of map "-"
-  validators::GateOptions options;
+  /// Checks one map with up to so many threads; called in a process of its own.
+  std::function<validators::MapRecord(const MapInput&, unsigned threads)> check;
   WorkerLimits limits;
   unsigned jobs = 1;  ///< maps at once; 0: one a core
 };

@@ -11,7 +11,6 @@
 #include "cli/support/map_reports.hpp"
 #include "mapcore/georeference.hpp"
 #include "mapcore/text/reader.hpp"
-#include "validators/fingerprint.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -55,15 +54,17 @@ std::string crash_text(const std::string& how, const std::string& path) {
 }  // namespace
 
 MapRecord check_map(const std::string& path, const std::optional<std::string>& text,
-                    const validators::GateOptions& options) {
+                    const validators::GateOptions& options, const MapRules& rules) {
   try {
     const MapDocument document = read_map(text ? *text : read_file(path));
     validators::GateOutcome outcome = check_deployment(document, options);
     if (auto finding = sidecar_finding(path)) outcome.findings.push_back(*std::move(finding));
     validators::MapReport report{display_path(path), document.text, {}, {}, {}};
     report.sections = deployment_sections(outcome, options);
-    report.findings = std::move(outcome.findings);
-    report.names = validators::fingerprints(document, report.findings);
+    auto judgement = rules.judge(path, document, std::move(outcome.findings));
+    report.findings = std::move(judgement.findings);
+    report.names = std::move(judgement.names);
+    report.suppressed = std::move(judgement.suppressed);
     return validators::make_record(report, map_digest(path, document.text));
   } catch (const Error& error) {
     return unjudged(path, error.what(), Interruption::kNone);

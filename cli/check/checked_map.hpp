@@ -5,16 +5,18 @@
 #include <string>
 #include <string_view>
 
+#include "cli/support/map_rules.hpp"
 #include "cli/support/worker_pool.hpp"
 #include "validators/deployment/deployment_gate.hpp"
 #include "validators/report/map_record.hpp"
 
 namespace mapwright::cli {
 
-/// Validates a map and sends the robot out. `text` is its text where it was read before (standard
-/// input). A map that cannot be read is a record that says so.
+/// Validates a map, sends the robot out, and judges what was found by the rules, which must know
+/// the map. `text` is its text where it was read before (standard input). A map that cannot be read
+/// is a record that says so.
 validators::MapRecord check_map(const std::string& path, const std::optional<std::string>& text,
-                                const validators::GateOptions& options);
+                                const validators::GateOptions& options, const MapRules& rules);
 
 /// The record of a map whose check a worker did: as it was answered (record_json), or that it was
 /// interrupted, and what to do.

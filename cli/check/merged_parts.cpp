@@ -1,6 +1,5 @@
 #include <algorithm>
-#include <iterator>
-#include <utility>
+#include <set>
 
 #include "cli/check/shard_part.hpp"
 #include "cli/support/digest.hpp"
@@ -35,8 +34,9 @@ void require_same_options(const ShardPart& a, const ShardPart& b, const Values& 
 }
 
 void require_same_run(const ShardPart& a, const ShardPart& b) {
-  const auto& [shard_a, settings_a, maps_a, map_set_a] = a.header;
-  const auto& [shard_b, settings_b, maps_b, map_set_b] = b.header;
+  const auto& [shard_a, settings_a, maps_a, map_set_a, configurations_a, today_a] = a.header;
+  const auto& [shard_b, settings_b, maps_b, map_set_b, configurations_b, today_b] = b.header;
+  // Configurations and what the day makes of them are among the options, as a digest.
   require_same(a, b, "the program's version", settings_a.program, settings_b.program);
   require_same_options(a, b, settings_a.options, settings_b.options);
   require_same_options(a, b, settings_a.limits, settings_b.limits);
@@ -46,16 +46,26 @@ void require_same_run(const ShardPart& a, const ShardPart& b) {
   require_same(a, b, "the digest of their paths", map_set_a, map_set_b);
 }
 
-// Parts sorted by number.
-void require_each_once(const std::vector<ShardPart>& parts) {
-  const std::size_t count = parts.front().header.shard.parts;
+using PartList = std::vector<const ShardPart*>;
+
+PartList by_number(const std::vector<ShardPart>& parts) {
+  PartList sorted;
+  for (const auto& part : parts) sorted.push_back(&part);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const ShardPart* a, const ShardPart* b) {
+    return a->header.shard.part < b->header.shard.part;
+  });
+  return sorted;
+}
+
+void require_each_once(const PartList& parts) {
+  const std::size_t count = parts.front()->header.shard.parts;
   std::string missing;
   std::size_t next = 1;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t number = parts[i].header.shard.part;
-    if (i > 0 && number == parts[i - 1].header.shard.part) {
-      fail_usage("part " + std::to_string(number) + " is there twice: " + parts[i - 1].file +
-                 " and " + parts[i].file);
+    const std::size_t number = parts[i]->header.shard.part;
+    if (i > 0 && number == parts[i - 1]->header.shard.part) {
+      fail_usage("part " + std::to_string(number) + " is there twice: " + parts[i - 1]->file +
+                 " and " + parts[i]->file);
     }
     for (; next < number; ++next) missing += " " + std::to_string(next);
     next = number + 1;
@@ -77,15 +87,21 @@ void require_all_maps(const std::vector<MapRecord>& records, const ShardHeader& 
 
 }  // namespace
 
-std::vector<MapRecord> merged(std::vector<ShardPart> parts) {
+std::vector<validators::MapReport> configuration_reports(const ShardPart& part,
+                                                         const std::vector<MapRecord>& records) {
+  std::set<std::string> used;
+  for (const auto& record : records) {
+    for (const auto& suppressed : record.suppressed) used.insert(suppressed.by);
+  }
+  return policy_reports(part.header.configurations, used, true, part.header.today);
+}
+
+std::vector<MapRecord> merged(const std::vector<ShardPart>& parts) {
   for (const auto& part : parts) require_same_run(parts.front(), part);
-  std::stable_sort(parts.begin(), parts.end(), [](const ShardPart& a, const ShardPart& b) {
-    return a.header.shard.part < b.header.shard.part;
-  });
-  require_each_once(parts);
+  require_each_once(by_number(parts));
   std::vector<MapRecord> records;
-  for (auto& part : parts) {
-    std::move(part.records.begin(), part.records.end(), std::back_inserter(records));
+  for (const auto& part : parts) {
+    records.insert(records.end(), part.records.begin(), part.records.end());
   }
   std::sort(records.begin(), records.end(),
             [](const MapRecord& a, const MapRecord& b) { return a.path < b.path; });

@@ -30,6 +30,8 @@ class ReportSink : public RecordSink {
     table_.add(report);
   }
 
+  void add_configuration(const validators::MapReport& report) override { writer_->map(report); }
+
   void finish() override {
     writer_->finish();
     if (has_table_ && table_.maps() > 1) table_.write(out_);

@@ -16,7 +16,9 @@ class RecordSink {
   virtual ~RecordSink() = default;
   /// Maps come in the order of their paths.
   virtual void add(const validators::MapRecord& record) = 0;
-  /// Call once behind the last map.
+  /// Behind the maps: what is wrong with a configuration file. Parts leave that to the whole.
+  virtual void add_configuration(const validators::MapReport& report) = 0;
+  /// Call once behind all that.
   virtual void finish() = 0;
 };
 

@@ -11,7 +11,7 @@ namespace mapwright::cli {
 /// that take too much.
 struct RunSettings {
   std::string program;                         ///< version of mapwright
-  std::map<std::string, std::string> options;  ///< by name; of a file the digest of what it holds
+  std::map<std::string, std::string> options;  ///< by name; with files goes a digest of them
   std::map<std::string, std::string> limits;   ///< by name
 
   /// Digest of program and options.

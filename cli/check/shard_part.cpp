@@ -31,7 +31,25 @@ Json header_json(const ShardHeader& header) {
   json["limits"] = header.settings.limits;
   json["maps"] = header.maps;
   json["map_set"] = header.map_set;
+  json["today"] = validators::date_text(header.today);
+  json["configurations"] = Json::array();
+  for (const auto& [path, policy] : header.configurations) {
+    if (!path.empty()) json["configurations"].push_back({{"path", path}, {"text", policy.text}});
+  }
   return json;
+}
+
+// Read once more: with the profile that was chosen, which gives its findings their severity.
+Policies parse_configurations(const Json& json, const RunSettings& settings) {
+  const auto profile = settings.options.find("profile");
+  Policies policies;
+  for (const auto& file : json) {
+    const auto path = file.at("path").get<std::string>();
+    policies[path] = value_or_throw(validators::read_policy(
+        file.at("text").get<std::string>(), path,
+        profile == settings.options.end() ? std::string_view() : profile->second));
+  }
+  return policies;
 }
 
 ShardHeader parse_header(const Json& json) {
@@ -41,6 +59,8 @@ ShardHeader parse_header(const Json& json) {
                      json.at("limits").get<Values>()};
   header.maps = json.at("maps").get<std::size_t>();
   header.map_set = json.at("map_set").get<std::string>();
+  header.today = validators::parse_date(json.at("today").get<std::string>()).value();
+  header.configurations = parse_configurations(json.at("configurations"), header.settings);
   return header;
 }
 
@@ -55,6 +75,8 @@ class PartSink : public RecordSink {
     out_ << (first_ ? "\n" : ",\n") << record_json(record);
     first_ = false;
   }
+
+  void add_configuration(const validators::MapReport&) override {}
 
   void finish() override { out_ << (first_ ? "]\n}\n" : "\n]\n}\n"); }
 
@@ -85,10 +107,11 @@ ShardPart part_of(const std::string& path, const Json& json) {
 }  // namespace
 
 ShardHeader shard_header(const Shard& shard, const RunSettings& settings,
-                         const std::vector<MapInput>& maps) {
+                         const std::vector<MapInput>& maps, const Policies& configurations,
+                         validators::Date today) {
   std::vector<std::string_view> paths;
   for (const auto& map : maps) paths.push_back(display_path(map.path));
-  return {shard, settings, maps.size(), digest(paths)};
+  return {shard, settings, maps.size(), digest(paths), configurations, today};
 }
 
 std::unique_ptr<RecordSink> make_part_sink(const ShardHeader& header, std::ostream& out) {
@@ -99,7 +122,9 @@ ShardPart read_part(const std::string& path) {
   const std::string text = read_file(path);
   try {
     return part_of(path, Json::parse(text));
-  } catch (const Json::exception& error) {
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {  // of JSON, or of a value that is missing
     fail_part(path, std::string("is no part of a report, or not all of it: ") + error.what());
   }
 }

@@ -44,6 +44,9 @@ class ReportTotals {
   /// for errors found or limits exceeded, else kSuccess.
   ExitStatus status() const;
 
+  /// True if no map was unreadable, over a limit or made the program crash.
+  bool all_were_judged() const { return unreadable_ + over_limit_ + crashed_ == 0; }
+
  private:
   std::size_t& count_of(validators::Interruption interruption);
 

@@ -131,28 +131,18 @@ void MapRules::add(const validators::MapReport& report) {
                     known_findings(report, options_.baseline));
 }
 
-void MapRules::report_policy(const validators::Policy& policy, validators::ReportWriter& writer,
-                             ReportTotals& totals, bool every_map_was_seen) const {
-  const std::vector<std::string> used(used_.begin(), used_.end());
-  auto findings = validators::policy_findings(policy, used, every_map_was_seen, options_.today);
-  if (findings.empty()) return;
-  totals.add_findings(findings);
-  validators::MapReport report{policy.path, policy.text, std::move(findings), {}};
-  writer.map(report);
+std::vector<validators::MapReport> MapRules::policy_reports(bool every_map_was_seen) const {
+  return cli::policy_reports(policies_, used_, every_map_was_seen, options_.today);
 }
 
-void MapRules::finish(validators::ReportWriter& writer, ReportTotals& totals,
-                      bool every_map_was_seen) {
-  for (const auto& [path, policy] : policies_) {
-    report_policy(policy, writer, totals, every_map_was_seen);
-  }
+void MapRules::write_baseline() const {
   if (options_.write_baseline.empty()) return;
   write_file(options_.write_baseline, [&](std::ostream& out) { out << new_baseline_.text(); });
 }
 
 ExitStatus MapRules::status(const ReportTotals& totals) const {
   const auto status = totals.status();
-  const bool all_is_known = !options_.write_baseline.empty() && status == ExitStatus::kNegative;
+  const bool all_is_known = !options_.write_baseline.empty() && totals.all_were_judged();
   return all_is_known ? ExitStatus::kSuccess : status;
 }
 

@@ -10,6 +10,7 @@
 
 #include "cli/support/map_reports.hpp"
 #include "cli/support/policy_options.hpp"
+#include "cli/support/policy_reports.hpp"
 #include "mapcore/text/document.hpp"
 #include "validators/profile/judge.hpp"
 #include "validators/report/report.hpp"
@@ -35,9 +36,14 @@ class MapRules {
   /// Takes note of what became of a map.
   void add(const validators::MapReport& report);
 
-  /// Reports what is wrong with the configuration files, a report a file, and writes the baseline.
+  /// What is wrong with the configuration files; refers to this object.
   /// `every_map_was_seen`: only then is it known which suppressions nobody needs.
-  void finish(validators::ReportWriter& writer, ReportTotals& totals, bool every_map_was_seen);
+  std::vector<validators::MapReport> policy_reports(bool every_map_was_seen) const;
+
+  /// Writes the baseline, if one was asked for.
+  void write_baseline() const;
+
+  const Policies& policies() const { return policies_; }
 
   /// Success where findings went into a new baseline.
   ExitStatus status(const ReportTotals& totals) const;
@@ -46,12 +52,10 @@ class MapRules {
   struct Rules;  ///< of one map
   const Rules& rules_of(const std::string& map) const;
   const validators::Policy& policy_of(const std::string& map);
-  void report_policy(const validators::Policy& policy, validators::ReportWriter& writer,
-                     ReportTotals& totals, bool every_map_was_seen) const;
 
   PolicyOptions options_;
-  std::map<std::string, validators::Policy> policies_;  ///< by the file's path; empty: none
-  std::map<std::string, Rules> rules_;                  ///< by the map's path as reports show it
+  Policies policies_;
+  std::map<std::string, Rules> rules_;  ///< by the map's path as reports show it
   std::optional<validators::Baseline> baseline_;
   validators::Baseline new_baseline_;
   std::set<std::string> used_;  ///< suppressions, by name

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "cli/check/batch.hpp"
+#include "cli/check/checked_map.hpp"
 #include "cli/check/gate_arguments.hpp"
 #include "cli/check/record_sink.hpp"
 #include "cli/check/run_settings.hpp"
@@ -13,7 +15,9 @@
 #include "cli/support/files.hpp"
 #include "cli/support/map_list.hpp"
 #include "cli/support/map_reports.hpp"
+#include "cli/support/map_rules.hpp"
 #include "cli/support/number_options.hpp"
+#include "cli/support/policy_options.hpp"
 #include "cli/verb.hpp"
 
 namespace mapwright::cli {
@@ -55,6 +59,8 @@ class Check : public Verb {
 
  private:
   void declare_batch(po::options_description& options);
+  void read_rules();
+  validators::MapRecord check(const MapInput& map, unsigned threads) const;
   void write_report(std::ostream& out, bool colour, Console& console);
   std::unique_ptr<RecordSink> make_sink(std::ostream& out, bool colour) const;
 
@@ -67,6 +73,11 @@ class Check : public Verb {
   RunSettings settings_;
   std::vector<MapInput> all_maps_;  // of all shards
   Batch batch_;
+  std::optional<std::string> standard_input_;
+  validators::GateOptions options_;
+  std::set<std::string> given_;
+  PolicyOptions policy_options_;
+  std::optional<MapRules> rules_;
   std::unique_ptr<Journal> journal_;
   ReportTotals totals_;
 };
@@ -76,6 +87,7 @@ void Check::declare(po::options_description& options,
   options.add_options()("map", po::value(&paths_)->required()->composing(),
                         "maps, or folders of maps; - reads standard input");
   declare_gate_options(options);
+  declare_policy_options(options);
   declare_batch(options);
   auto add = options.add_options();
   add("format", po::value(&format_name_)->default_value("text"),
@@ -116,7 +128,12 @@ void Check::configure(const po::variables_map& values) {
   batch_.limits.time_s = number_option(values, "time-limit", 0.0, 1e9);
   batch_.limits.memory_bytes =
       static_cast<std::uint64_t>(1e6 * number_option(values, "memory-limit", 0.0, 1e9));
-  batch_.options = gate_options(values);
+  options_ = gate_options(values);
+  given_ = given_options(values);
+  policy_options_ = policy_options(values);
+  if (shard_ && shard_->parts > 1 && !policy_options_.write_baseline.empty()) {
+    fail_usage("a baseline holds all maps: --write-baseline and --shard exclude each other");
+  }
   if (std::count(paths_.begin(), paths_.end(), "-") > 1) {
     fail_usage("standard input can be read once only");
   }
@@ -131,8 +148,9 @@ ExitStatus Check::run(Console& console) {
   batch_.maps = shard_ ? shard_of(all_maps_, *shard_) : all_maps_;
   const auto is_piped = [](const MapInput& map) { return map.path == "-"; };
   if (std::any_of(batch_.maps.begin(), batch_.maps.end(), is_piped)) {
-    batch_.standard_input = read_file("-");
+    standard_input_ = read_file("-");
   }
+  read_rules();
   if (!journal_path_.empty()) {
     const auto start = resume_ ? JournalStart::kResume : JournalStart::kNew;
     journal_ = std::make_unique<Journal>(journal_path_, settings_.fingerprint(), start);
@@ -143,24 +161,48 @@ ExitStatus Check::run(Console& console) {
     write_file(output_, [&](std::ostream& out) { write_report(out, false, console); });
   }
   console.note(totals_.summary());
-  return totals_.status();
+  return rules_->status(totals_);
+}
+
+// Those of all shards, so that all have the same settings.
+void Check::read_rules() {
+  std::vector<std::string> paths;
+  for (const auto& map : all_maps_) paths.push_back(map.path);
+  rules_.emplace(policy_options_, paths);
+  settings_.options["config"] = policies_digest(rules_->policies(), policy_options_.today);
+}
+
+validators::MapRecord Check::check(const MapInput& map, unsigned threads) const {
+  auto options = with_profile(options_, rules_->profile(map.path), given_);
+  options.deployment.threads = threads;
+  return check_map(map.path, map.path == "-" ? standard_input_ : std::nullopt, options, *rules_);
 }
 
 void Check::write_report(std::ostream& out, bool colour, Console& console) {
   const auto sink = make_sink(out, colour);
+  batch_.check = [this](const MapInput& map, unsigned threads) { return check(map, threads); };
   check_batch(batch_, journal_.get(), console, [&](const validators::MapRecord& record) {
     if (record.unreadable) console.error(*record.unreadable);
     totals_.add(record.report({}));
+    rules_->add(record.report({}));
     sink->add(record);
   });
+  // Other shards may need the suppressions that this one does not.
+  for (const auto& report : rules_->policy_reports(!shard_ || shard_->parts == 1)) {
+    totals_.add_findings(report.findings);
+    sink->add_configuration(report);
+  }
+  rules_->write_baseline();
   sink->finish();
 }
 
 std::unique_ptr<RecordSink> Check::make_sink(std::ostream& out, bool colour) const {
   if (shard_ && format_->name == "json") {
-    return make_part_sink(shard_header(*shard_, settings_, all_maps_), out);
+    return make_part_sink(
+        shard_header(*shard_, settings_, all_maps_, rules_->policies(), policy_options_.today),
+        out);
   }
-  return make_report_sink(*format_, out, colour, batch_.standard_input);
+  return make_report_sink(*format_, out, colour, standard_input_);
 }
 
 }  // namespace

@@ -55,23 +55,32 @@ class Report : public Verb {
   ExitStatus run(Console& console) override {
     std::vector<ShardPart> parts;
     for (const auto& path : parts_) parts.push_back(read_part(path));
-    const auto records = merged(std::move(parts));
+    const auto records = merged(parts);
+    const auto configurations = configuration_reports(parts.front(), records);
+    const auto write = [&](std::ostream& out, bool colour) {
+      write_report(records, configurations, out, colour);
+    };
     if (output_ == "-") {
-      write_report(records, console.out(), is_colour_terminal(console));
+      write(console.out(), is_colour_terminal(console));
     } else {
-      write_file(output_, [&](std::ostream& out) { write_report(records, out, false); });
+      write_file(output_, [&](std::ostream& out) { write(out, false); });
     }
     console.note(totals_.summary());
     return totals_.status();
   }
 
  private:
-  void write_report(const std::vector<validators::MapRecord>& records, std::ostream& out,
+  void write_report(const std::vector<validators::MapRecord>& records,
+                    const std::vector<validators::MapReport>& configurations, std::ostream& out,
                     bool colour) {
     const auto sink = make_report_sink(*format_, out, colour);
     for (const auto& record : records) {
       totals_.add(record.report({}));
       sink->add(record);
+    }
+    for (const auto& report : configurations) {
+      totals_.add_findings(report.findings);
+      sink->add_configuration(report);
     }
     sink->finish();
   }

@@ -232,8 +232,11 @@ TEST_F(CheckBatch, ResumeChecksAgainWhatChanged) {
   EXPECT_EQ(journal_lines(), 8U);
   resumed({maps, "--seed", "2"});  // other options: all again
   EXPECT_EQ(journal_lines(), 14U);
+  folder_.file("maps/.mapwright.yaml", "checks: {S103: off}\n");
+  resumed({maps});  // another configuration: all again
+  EXPECT_EQ(journal_lines(), 20U);
   resumed({maps, "--time-limit", "100"});  // another limit changes no finished map
-  EXPECT_EQ(journal_lines(), 14U);
+  EXPECT_EQ(journal_lines(), 20U);
 }
 
 TEST_F(CheckBatch, JournalsAreNotOverwrittenOrShared) {

@@ -81,6 +81,27 @@ TEST_F(ReportMerge, GivesTheBytesOfOneRunInAnyFormatForAnyNumberOfParts) {
   }
 }
 
+// Which suppressions nobody needs is known when all parts are there.
+TEST_F(ReportMerge, ConfigurationsAreJudgedByTheWhole) {
+  folder_.file(".mapwright.yaml",
+               "suppressions:\n"
+               "  - {code: N101, reason: a depot, path: 'm01.txt'}\n"
+               "  - {code: G101, reason: nobody needs this}\n"
+               "  - {code: G102, reason: over, until: 2020-01-01}\n");
+  const std::string whole = check({maps_, "--profile", "strict"}).out;
+  EXPECT_NE(whole.find("suppression of G101 covers nothing"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("suppression of G102 held until"), std::string::npos) << whole;
+  EXPECT_EQ(whole.find("suppression of N101"), std::string::npos) << whole;
+  Words files;
+  for (int i = 1; i <= 3; ++i) {
+    files.push_back(part(i, 3, "part-" + std::to_string(i), {"--profile", "strict"}));
+  }
+  EXPECT_EQ(merge(files).out, whole);
+  folder_.file(".mapwright.yaml", "checks: {S103: off}\n");
+  files[0] = part(1, 3, "other", {"--profile", "strict"});
+  expect_refused(files, 2, "--config is ");
+}
+
 // Formats that draw maps must not draw others than those that were checked.
 TEST_F(ReportMerge, RefusesToDrawMapsThatHaveChanged) {
   const std::string all = part(1, 1, "all");

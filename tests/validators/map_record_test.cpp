@@ -34,6 +34,7 @@ MapReport full_report() {
   report.sections = {{"planning", R"({"trials":3,"share":0.30000000000000004})", "planning: \xFF"},
                      {"", "", "verdict: pass"}};
   report.names = {{"1f", "2e"}, {"3d", "4c"}};
+  report.suppressed = {{quoting(3, 2), {"5b", "6a"}, "site.yaml:3:5", "known \xFF"}};
   return report;
 }
 
@@ -45,8 +46,9 @@ MapRecord there_and_back(const MapRecord& record) {
 
 TEST(MapRecord, KeepsTheLinesThatFindingsName) {
   const MapRecord record = make_record(full_report(), "d1");
-  EXPECT_EQ(record.lines, (std::vector<QuotedLine>{{2, "two \xE9\xFF"}, {5, "five"}}));
-  EXPECT_EQ(record.quoted_text(), "\ntwo \xE9\xFF\n\n\nfive");
+  EXPECT_EQ(record.lines,
+            (std::vector<QuotedLine>{{2, "two \xE9\xFF"}, {3, "three"}, {5, "five"}}));
+  EXPECT_EQ(record.quoted_text(), "\ntwo \xE9\xFF\nthree\n\nfive");
 }
 
 TEST(MapRecord, ComesBackFromJsonAsItWas) {
@@ -57,6 +59,7 @@ TEST(MapRecord, ComesBackFromJsonAsItWas) {
   EXPECT_EQ(back.findings, record.findings);
   EXPECT_EQ(back.lines, record.lines);
   EXPECT_EQ(back.names, record.names);
+  EXPECT_EQ(back.suppressed, record.suppressed);
   ASSERT_EQ(back.sections.size(), 2U);
   EXPECT_EQ(back.sections[0].key, "planning");
   EXPECT_EQ(back.sections[0].json, record.sections[0].json);

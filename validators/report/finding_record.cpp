@@ -60,8 +60,8 @@ GisFeature parse_feature(const Json& json) {
 
 }  // namespace
 
-Json finding_record_json(const Finding& finding) {
-  Json json = Json::parse(finding_json(finding));
+Json finding_record_json(const Finding& finding, const Fingerprint* name) {
+  Json json = Json::parse(finding_json(finding, name));
   put_text(json, "message", finding.message);
   for (std::size_t i = 0; i < finding.fix.size(); ++i) {
     put_text(json["fix"][i], "replacement", finding.fix[i].replacement);
@@ -94,6 +94,12 @@ Finding parse_finding_record(const Json& json) {
     features.push_back(parse_feature(feature));
   }
   return finding;
+}
+
+std::optional<Fingerprint> parse_finding_name(const Json& json) {
+  if (!json.contains("fingerprint")) return std::nullopt;
+  return Fingerprint{json.at("fingerprint").get<std::string>(),
+                     json.at("subject_fingerprint").get<std::string>()};
 }
 
 }  // namespace mapwright::validators

@@ -8,25 +8,39 @@
 namespace mapwright::validators {
 namespace {
 
-// By line, the greatest column that a finding names in it.
-std::map<std::size_t, std::size_t> named_columns(const std::vector<Finding>& findings) {
-  std::map<std::size_t, std::size_t> columns;
-  for (const auto& finding : findings) {
-    if (!finding.place) continue;
-    auto& column = columns[finding.place->line];
+/// By line, the greatest column that a finding names in it.
+class NamedColumns {
+ public:
+  void add(const Finding& finding) {
+    if (!finding.place) return;
+    auto& column = columns_[finding.place->line];
     column = std::max(column, finding.place->column);
   }
-  return columns;
-}
+  const std::map<std::size_t, std::size_t>& columns() const { return columns_; }
+
+ private:
+  std::map<std::size_t, std::size_t> columns_;
+};
 
 }  // namespace
 
 MapRecord make_record(const MapReport& report, std::string digest) {
-  const auto& [path, text, findings, unreadable, sections, interruption, names] = report;
-  MapRecord record{std::string(path), std::move(digest), findings, unreadable,
-                   sections,          interruption,      names,    {}};
+  const auto& [path, text, findings, unreadable, sections, interruption, names, suppressed] =
+      report;
+  MapRecord record{std::string(path),
+                   std::move(digest),
+                   findings,
+                   unreadable,
+                   sections,
+                   interruption,
+                   names,
+                   suppressed,
+                   {}};
+  NamedColumns named;
+  for (const auto& finding : findings) named.add(finding);
+  for (const auto& entry : suppressed) named.add(entry.finding);
   SourceLines lines(text);
-  for (const auto& [number, column] : named_columns(findings)) {
+  for (const auto& [number, column] : named.columns()) {
     record.lines.push_back({number, std::string(excerpted_part(lines.line(number), column))});
   }
   return record;
@@ -44,7 +58,7 @@ std::string MapRecord::quoted_text() const {
 }
 
 MapReport MapRecord::report(std::string_view text) const {
-  return {path, text, findings, unreadable, sections, interruption, names};
+  return {path, text, findings, unreadable, sections, interruption, names, suppressed};
 }
 
 }  // namespace mapwright::validators

@@ -30,7 +30,8 @@ struct MapRecord {
   std::vector<ReportSection> sections;
   Interruption interruption = Interruption::kNone;
   std::vector<Fingerprint> names;  ///< of the findings; empty: not known
-  std::vector<QuotedLine> lines;   ///< by number
+  std::vector<SuppressedFinding> suppressed;
+  std::vector<QuotedLine> lines;  ///< by number
 
   /// A text in which those lines have their numbers, and all others are empty.
   std::string quoted_text() const;

@@ -18,12 +18,20 @@ Interruption interruption_named(const std::string& name) {
   throw std::invalid_argument("there is no interruption " + name);
 }
 
-Json name_json(const Fingerprint& name) {
-  return {{"place", name.place}, {"subject", name.subject}};
+Json suppressed_json(const std::vector<SuppressedFinding>& all) {
+  Json json = Json::array();
+  for (const auto& [finding, name, by, reason] : all) {
+    Json entry = finding_record_json(finding, &name);
+    put_text(entry, "by", by);
+    put_text(entry, "reason", reason);
+    json.push_back(std::move(entry));
+  }
+  return json;
 }
 
-Fingerprint parse_name(const Json& json) {
-  return {json.at("place").get<std::string>(), json.at("subject").get<std::string>()};
+SuppressedFinding parse_suppressed(const Json& json) {
+  return {parse_finding_record(json), parse_finding_name(json).value_or(Fingerprint{}),
+          get_text(json, "by"), get_text(json, "reason")};
 }
 
 // The value of a section stands under its own key, as docs/cli.md has it.
@@ -81,10 +89,13 @@ MapRecord record_of(const Json& json) {
   }
   for (const auto& finding : json.at("findings")) {
     record.findings.push_back(parse_finding_record(finding));
-    if (finding.contains("names")) record.names.push_back(parse_name(finding.at("names")));
+    if (auto name = parse_finding_name(finding)) record.names.push_back(*std::move(name));
   }
   if (!record.names.empty() && record.names.size() != record.findings.size()) {
     throw std::invalid_argument("some findings have names, some have none");
+  }
+  for (const auto& entry : json.value("suppressed", Json::array())) {
+    record.suppressed.push_back(parse_suppressed(entry));
   }
   record.sections = parse_sections(json);
   record.lines = parse_lines(json.at("lines"));
@@ -94,7 +105,8 @@ MapRecord record_of(const Json& json) {
 }  // namespace
 
 std::string record_json(const MapRecord& record) {
-  const auto& [path, digest, findings, unreadable, sections, interruption, names, lines] = record;
+  const auto& [path, digest, findings, unreadable, sections, interruption, names, suppressed,
+               lines] = record;
   Json json;
   put_text(json, "path", path);
   json["verdict"] = record.report({}).passes() ? "pass" : "fail";
@@ -102,9 +114,10 @@ std::string record_json(const MapRecord& record) {
   if (interruption != Interruption::kNone) json["interrupted"] = to_string(interruption);
   json["findings"] = Json::array();
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    json["findings"].push_back(finding_record_json(findings[i]));
-    if (!names.empty()) json["findings"].back()["names"] = name_json(names[i]);
+    const Fingerprint* name = names.empty() ? nullptr : &names[i];
+    json["findings"].push_back(finding_record_json(findings[i], name));
   }
+  if (!suppressed.empty()) json["suppressed"] = suppressed_json(suppressed);
   put_sections(json, sections);
   json["lines"] = lines_json(lines);
   json["digest"] = digest;
