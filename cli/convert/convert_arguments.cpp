@@ -24,6 +24,16 @@ converter::RuleSet load_rules(const std::string& rules) {
   return value_or_throw(converter::read_rules(yaml, rules));
 }
 
+// Metres that a drawing may be moved by.
+double distance_option(const char* name, const std::string& text) {
+  constexpr double kMost_m = 10.0;
+  const double metres = parse_number(name, text);
+  if (!(metres >= 0.0 && metres <= kMost_m)) {
+    fail_usage("--" + std::string(name) + ": expected metres from 0 to 10, got " + text);
+  }
+  return metres;
+}
+
 void refuse_remote(const std::string& path) {
   if (path.find("://") != path.npos || path.find("/vsi") != path.npos) {
     fail_usage(path + ": remote and virtual sources are refused; fetch or unpack it first");
@@ -61,6 +71,13 @@ void ConvertArguments::declare(po::options_description& options,
       "the sources have northing or latitude before easting or longitude");
   add("resolution", po::value(&resolution_)->default_value("0.001"),
       "metres that coordinates and heights are rounded to");
+  add("snap", po::value(&snap_)->default_value("0"),
+      "metres: vertices nearer to each other than this become one; 0: none");
+  add("dissolve", po::bool_switch(&options_.dissolve),
+      "solids of one height that overlap or share a wall become one outline");
+  add("simplify", po::value(&simplify_)->default_value("0"),
+      "metres: leave out vertices as long as the drawing stays nearer to itself than this; 0: "
+      "none");
   add("report", po::value(&report_), "write the ledger: what became of every feature (JSON)");
   add("watch", po::bool_switch(&watch_),
       "convert and validate again whenever a source is saved, until interrupted");
@@ -109,6 +126,8 @@ void ConvertArguments::check(const po::variables_map&) {
     fail_usage("--resolution: expected metres between 1e-9 and 10, got " + resolution_);
   }
   options_.repair = !no_repair_;
+  options_.snap_m = distance_option("snap", snap_);
+  options_.simplify_m = distance_option("simplify", simplify_);
   options_.rules_are_guessed = rules_ == "auto";
 }
 

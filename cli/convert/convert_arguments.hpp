@@ -37,7 +37,7 @@ class ConvertArguments {
 
   converter::ConvertOptions options_;
   std::string output_, report_;
-  std::string rules_, bbox_, resolution_, local_unit_;
+  std::string rules_, bbox_, resolution_, local_unit_, snap_, simplify_;
   FrameArguments frame_;
   bool explain_rules_ = false;
   bool watch_ = false;

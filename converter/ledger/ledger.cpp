@@ -1,5 +1,6 @@
 #include "converter/ledger/ledger.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -27,12 +28,12 @@ std::size_t Ledger::open(std::size_t source, std::int64_t fid) {
 }
 
 void Ledger::remark(std::size_t feature, FindingCode code, std::string message) {
-  features[feature].reasons.push_back({code, std::move(message)});
+  features[feature].reasons.push_back({code, std::move(message), {}});
 }
 
-void Ledger::change(std::size_t feature, FindingCode code, std::string message) {
+void Ledger::change(std::size_t feature, FindingCode code, std::string message, Measures measures) {
   if (features[feature].outcome == Outcome::kWritten) features[feature].outcome = Outcome::kChanged;
-  remark(feature, code, std::move(message));
+  features[feature].reasons.push_back({code, std::move(message), measures});
 }
 
 void Ledger::drop(std::size_t feature, FindingCode code, std::string message) {
@@ -85,10 +86,24 @@ Json source_json(const LedgerSource& source) {
   return json;
 }
 
+// Rounded to what a repair can be measured to.
+double measured(double value) {
+  return std::round(value * 1e6) / 1e6;
+}
+
+Json reason_json(const LedgerReason& reason) {
+  Json json{{"code", finding_type(reason.code).id}, {"message", reason.message}};
+  if (reason.measures.hausdorff_m) json["hausdorff_m"] = measured(*reason.measures.hausdorff_m);
+  if (reason.measures.area_change_m2) {
+    json["area_change_m2"] = measured(*reason.measures.area_change_m2);
+  }
+  return json;
+}
+
 Json feature_json(const LedgerFeature& feature, const LedgerSource& source) {
   Json reasons = Json::array();
   for (const auto& reason : feature.reasons) {
-    reasons.push_back({{"code", finding_type(reason.code).id}, {"message", reason.message}});
+    reasons.push_back(reason_json(reason));
   }
   return {{"source", source.path},
           {"layer", source.layer},

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,16 @@ enum class Outcome : std::uint8_t { kWritten, kChanged, kDropped };
 
 std::string_view to_string(Outcome outcome);
 
+/// How much a repair changed, where that was measured.
+struct Measures {
+  std::optional<double> hausdorff_m;     ///< between the drawing before and after
+  std::optional<double> area_change_m2;  ///< after minus before
+};
+
 struct LedgerReason {
   FindingCode code;
   std::string message;
+  Measures measures = {};
 };
 
 struct LedgerFeature {
@@ -52,7 +60,7 @@ class Ledger {
   /// A reason that alters nothing: the feature stays as it is.
   void remark(std::size_t feature, FindingCode code, std::string message);
   /// The feature is not what the source had.
-  void change(std::size_t feature, FindingCode code, std::string message);
+  void change(std::size_t feature, FindingCode code, std::string message, Measures measures = {});
   /// Nothing of the feature is in the map.
   void drop(std::size_t feature, FindingCode code, std::string message);
 

@@ -12,6 +12,9 @@
 #include "converter/pipeline/layer_converter.hpp"
 #include "converter/pipeline/leaning_walls.hpp"
 #include "converter/pipeline/sources.hpp"
+#include "converter/pipeline/tidy/dissolving.hpp"
+#include "converter/pipeline/tidy/simplification.hpp"
+#include "converter/pipeline/tidy/snapping.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -68,6 +71,13 @@ class Transforms {
   double local_unit_m_;
   std::map<std::string, MapTransform> by_crs_;
 };
+
+// What is done to the whole drawing on request, in the order in which each helps the next.
+void tidy(const ConvertOptions& options, Workspace& workspace) {
+  if (options.snap_m > 0.0) snap_vertices(workspace, options.snap_m);
+  if (options.dissolve) dissolve_solids(workspace);
+  if (options.simplify_m > 0.0) simplify_drafts(workspace, options.simplify_m);
+}
 
 std::size_t open_account(const LayerJob& job, const ConvertOptions& options, Ledger& ledger) {
   LedgerSource source;
@@ -155,6 +165,7 @@ Result<Conversion> convert(const ConvertOptions& options) {
   auto done = convert_layers(options, **sources, frame, workspace);
   if (!done) return tl::unexpected(done.error());
   drop_walls_that_are_steps(workspace);
+  tidy(options, workspace);
   if (options.repair) turn_leaning_walls(workspace);
 
   Conversion conversion;

@@ -31,6 +31,9 @@ struct ConvertOptions {
   double local_unit_m = 1.0;  ///< this unit
   double resolution_m = tolerance::kResolution_m;
   bool repair = true;
+  double snap_m = 0.0;         ///< vertices nearer than this become one; 0: none
+  double simplify_m = 0.0;     ///< greatest distance vertices may be left out by; 0: none
+  bool dissolve = false;       ///< touching solids of one height become one outline
   bool keep_broken = false;    ///< features that cannot be read are dropped, not fatal
   bool swap_axes = false;      ///< sources have y (latitude) before x (longitude)
   bool source_tokens = false;  ///< semantic strings name layer and feature id

@@ -8,6 +8,7 @@
 
 #include "converter/pipeline/ring_validity.hpp"
 #include "mapcore/angle.hpp"
+#include "mapcore/geometry/hausdorff.hpp"
 #include "mapcore/geometry/orientation.hpp"
 
 namespace mapwright::converter {
@@ -123,7 +124,36 @@ SimplePolygon as_drawn(DrawnPolygon& drawn) {
   return polygon;
 }
 
-void say_repaired(const FeatureTask& task, const std::string& defect,
+// Edges of rings, first vertices not repeated.
+void append_edges(const std::vector<Ring>& rings, std::vector<DrawnEdge>& edges) {
+  for (const auto& ring : rings) {
+    const auto own = edges_of(ring, true);
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+}
+
+// Area of the rings as they wind, holes counting against their outlines whatever their direction.
+double drawn_area_m2(const std::vector<Ring>& rings) {
+  double area = std::abs(signed_area_m2(rings.front()));
+  for (std::size_t i = 1; i < rings.size(); ++i) area -= std::abs(signed_area_m2(rings[i]));
+  return area;
+}
+
+constexpr double kMeasureSlack_m = 1.0e-4;
+
+Measures measures_of(const DrawnPolygon& drawn, const std::vector<SimplePolygon>& parts) {
+  std::vector<DrawnEdge> before, after;
+  append_edges(drawn.rings, before);
+  double area = 0.0;
+  for (const auto& part : parts) {
+    append_edges({part.outer}, after);
+    append_edges(part.holes, after);
+    area += area_m2(part);
+  }
+  return {hausdorff_distance_m(before, after, kMeasureSlack_m), area - drawn_area_m2(drawn.rings)};
+}
+
+void say_repaired(const FeatureTask& task, const DrawnPolygon& drawn, const std::string& defect,
                   const std::vector<SimplePolygon>& parts, Workspace& workspace) {
   if (parts.empty()) {
     return workspace.ledger.change(task.account, FindingCode::C204,
@@ -138,7 +168,8 @@ void say_repaired(const FeatureTask& task, const std::string& defect,
   workspace.ledger.change(task.account, FindingCode::C201,
                           defect + ": cut into " + std::to_string(parts.size()) +
                               " outlines with " + std::to_string(holes) + " holes, " +
-                              area_text(area) + " (odd-even rule)");
+                              area_text(area) + " (odd-even rule)",
+                          measures_of(drawn, parts));
 }
 
 void append_repaired(const FeatureTask& task, const DrawnPolygon& drawn, const std::string& defect,
@@ -148,7 +179,7 @@ void append_repaired(const FeatureTask& task, const DrawnPolygon& drawn, const s
     return workspace.ledger.change(task.account, FindingCode::C221,
                                    defect + ": no simple outline could be made of it");
   }
-  say_repaired(task, defect, *parts, workspace);
+  say_repaired(task, drawn, defect, *parts, workspace);
   for (auto& part : *parts) outlines.push_back({std::move(part), drawn.curved});
 }
 
