@@ -57,6 +57,7 @@ Json answer_json(const PlanAnswer& answer, bool with_tree) {
   json["iterations"] = total.iterations;
   add_proofs(total, json);
   if (!total.solved) json["reason"] = answer.reason;
+  if (!total.caution.empty()) json["caution"] = total.caution;
   if (with_tree) {
     json["raw_path"] = path_json(answer.route.raw_path);
     json["tree"] = edges_json(total.tree);

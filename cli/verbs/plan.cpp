@@ -42,6 +42,14 @@ Examples:
 Exit status 1 if one of the queries has no answer.
 )";
 
+// Cautions are about the map, so the same for all queries.
+void warn_once(const std::vector<PlanAnswer>& answers, Console& console) {
+  for (const auto& answer : answers) {
+    if (answer.route.total.caution.empty()) continue;
+    return console.warning(answer.route.total.caution);
+  }
+}
+
 class Plan : public Verb {
  public:
   std::string_view synopsis() const override {
@@ -191,6 +199,7 @@ ExitStatus Plan::run(Console& console) {
   } else {
     write_plan_text(console.out(), answers);
   }
+  warn_once(answers, console);
   for (const auto& answer : answers) {
     if (!answer.route.total.solved) return ExitStatus::kNegative;
   }

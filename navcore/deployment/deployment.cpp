@@ -8,6 +8,8 @@ ReachabilityOutcome reachability_of(const TravelAreas& areas, const PlaceFinder&
   return {radius_m,
           areas.areas(),
           areas.largest_fraction(),
+          areas.planner().snapping_error_m(),
+          areas.planner().snapped_at(),
           areas.planner().offset_error().elsewhere_m,
           cut_off_places(finder, areas, radius_m),
           finder.places().size()};

@@ -29,6 +29,8 @@ struct ReachabilityOutcome {
   double radius_m = 0.0;
   std::vector<TravelArea> areas;  ///< largest first
   double largest_fraction = 0.0;
+  double snapping_m = 0.0;  ///< how far walls were moved to the exact planner's grid
+  std::optional<Point> snapped_at;
   double resolution_m = 0.0;  ///< what the areas may lack along walls (ExactPlanner::offset_error)
   std::vector<CutOffPlace> cut_off_places;  ///< in the order of the map
   std::size_t places = 0;                   ///< named places of the map, all of them

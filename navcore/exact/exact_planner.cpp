@@ -357,6 +357,11 @@ double ExactPlanner::snapping_error_m() const {
   return impl_->ground->snapping_mm / 1e3;
 }
 
+std::optional<Point> ExactPlanner::snapped_at() const {
+  if (!(impl_->ground->snapping_mm > 0.0)) return std::nullopt;
+  return impl_->ground->snapped_at;
+}
+
 ExactPlanner::OffsetError ExactPlanner::offset_error() const {
   if (impl_->is_point()) return {};
   const double elsewhere_m = 1.5e-3 + snapping_error_m();

@@ -144,6 +144,10 @@ class ExactPlanner {
   /// metres; 0 for maps written in millimetres whose walls meet at such points.
   double snapping_error_m() const;
 
+  /// The end of a segment moved farthest by rounding, or else the first crossing off the grid;
+  /// nothing where snapping_error_m() is 0.
+  std::optional<Point> snapped_at() const;
+
   /// What the disc's free space may lack beside the true one, metres: `at_corners_m` around convex
   /// corners, `elsewhere_m` along walls. It never has too much. 0 for a point.
   struct OffsetError {

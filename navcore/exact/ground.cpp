@@ -37,13 +37,22 @@ std::optional<Failure> why_not_on_grid(const Map& map, const std::vector<Blockin
                                           " lies more than 500 km from the centre of the map"};
 }
 
-double rounding_error_mm(const std::vector<BlockingSegment>& segments, const GridFrame& frame) {
-  double worst_m = 0.0;
+// The end of a segment that rounding to the grid moves farthest, and how far.
+struct Rounding {
+  double moved_m = 0.0;
+  Point at;
+};
+
+Rounding worst_rounding(const std::vector<BlockingSegment>& segments, const GridFrame& frame) {
+  Rounding worst;
   for (const auto& segment : segments) {
-    worst_m = std::max({worst_m, distance(segment.a, frame.to_map(frame.to_grid(segment.a))),
-                        distance(segment.b, frame.to_map(frame.to_grid(segment.b)))});
+    for (const Point end : {segment.a, segment.b}) {
+      const double moved_m = distance(end, frame.to_map(frame.to_grid(end)));
+      if (moved_m > worst.moved_m) worst = {moved_m, end};
+    }
   }
-  return worst_m > 1e-7 ? worst_m * 1e3 : 0.0;  // what is left of decimals in doubles is no error
+  // What is left of decimals in doubles is no error.
+  return worst.moved_m > 1e-7 ? worst : Rounding{};
 }
 
 }  // namespace
@@ -59,8 +68,13 @@ Result<std::shared_ptr<const Ground>> Ground::build(const Map& map, RampPolicy r
   }
   ground->space = std::make_shared<const Tessellation>(
       tessellate(map, ramps, ground->frame, map_lines(map, ground->segments, ground->frame)));
-  ground->snapping_mm =
-      rounding_error_mm(ground->segments, ground->frame) + ground->space->work.displacement_mm;
+  const Rounding rounding = worst_rounding(ground->segments, ground->frame);
+  const LineWork& work = ground->space->work;
+  ground->snapping_mm = 1e3 * rounding.moved_m + work.displacement_mm;
+  ground->snapped_at = rounding.at;
+  if (!(rounding.moved_m > 0.0) && work.displaced_at) {
+    ground->snapped_at = ground->frame.to_map(*work.displaced_at);
+  }
   return ground;
 }
 

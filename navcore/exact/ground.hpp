@@ -26,6 +26,7 @@ class Ground {
   GridFrame frame;
   std::vector<BlockingSegment> segments;  ///< by source of the lines
   double snapping_mm = 0.0;               ///< how far a wall may have been moved
+  Point snapped_at;                       ///< where, metres; if snapping_mm > 0
   std::shared_ptr<const Tessellation> space;
 
   const Widths& widths() const;

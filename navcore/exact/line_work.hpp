@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "navcore/exact/grid_point.hpp"
@@ -35,6 +36,7 @@ struct LineWork {
   /// Greatest distance that a point of a line may have been moved (mm): 0 where every meeting was
   /// at a grid point.
   double displacement_mm = 0.0;
+  std::optional<GridPoint> displaced_at;  ///< the first of the others; nothing where all were
 };
 
 /// Cuts lines where they cross, touch or overlap. Lines of no length are dropped.

@@ -13,7 +13,8 @@ __extension__ using Wide = __int128;
 struct Meetings {
   std::vector<GridPoint> crossings;  // rounded to the grid
   bool any = false;
-  bool all_on_grid = true;  // no crossing had to be rounded
+  bool all_on_grid = true;            // no crossing had to be rounded
+  std::optional<GridPoint> off_grid;  // the first that had to be
 };
 
 bool boxes_meet(const Line& p, const Line& q) {
@@ -57,6 +58,7 @@ void meet(const Line& p, const Line& q, Meetings& meetings) {
   if (sign(pa) * sign(pb) < 0 && sign(qa) * sign(qb) < 0) {
     meetings.any = true;
     meetings.crossings.push_back(rounded_crossing(p, pa, pb, meetings.all_on_grid));
+    if (!meetings.all_on_grid && !meetings.off_grid) meetings.off_grid = meetings.crossings.back();
   } else if (is_inside(p.a, q) || is_inside(p.b, q) || is_inside(q.a, p) || is_inside(q.b, p)) {
     meetings.any = true;
   }
@@ -256,15 +258,18 @@ constexpr double kHalfDiagonal_mm = 0.7072;
 LineWork node(const std::vector<Line>& input) {
   std::vector<Line> lines = without_points(input);
   double displacement_mm = 0.0;
+  std::optional<GridPoint> displaced_at;
   while (true) {
     const LineGrid grid(lines);
     Meetings meetings = find_meetings(lines, grid);
     if (!meetings.any) break;
     if (!meetings.all_on_grid) displacement_mm += kHalfDiagonal_mm;
+    if (!displaced_at) displaced_at = meetings.off_grid;
     lines = cut(lines, grid, std::move(meetings));
   }
   LineWork work = join(lines);
   work.displacement_mm = displacement_mm;
+  work.displaced_at = displaced_at;
   return work;
 }
 

@@ -31,11 +31,24 @@ std::string why_undecided(const ExactPlanner& planner, const PlanningResult& res
   return reason;
 }
 
+// Rounding of walls to the grid, if there was any.
+std::string caution_of(const ExactPlanner& planner) {
+  const auto at = planner.snapped_at();
+  if (!at) return {};
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer,
+                "the exact planner moved walls to its grid of 1 mm, by %.2f mm at most (see (%.3f, "
+                "%.3f)); its answer is that of the moved walls",
+                1e3 * planner.snapping_error_m(), at->x, at->y);
+  return buffer;
+}
+
 }  // namespace
 
 PlanningResult plan_exact(const ExactPlanner& planner, const PlanQuery& query) {
   PlanningResult result;
   result.is_shortest = true;
+  result.caution = caution_of(planner);
   ExactAnswer answer = planner.plan(query.start, query.goal);
   if (answer.start != PlaceState::kFree || answer.goal != PlaceState::kFree) {
     result.reason = why_not_standing(planner, answer);

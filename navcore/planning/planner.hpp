@@ -42,6 +42,7 @@ struct PlanningResult {
   std::optional<double> bottleneck_m;  ///< width (diameter) of the widest way's narrowest place
   std::optional<Point> bottleneck_at;
   std::string reason;             ///< why it cannot tell
+  std::string caution;            ///< what was not taken as the map has it, and where
   std::vector<TreeEdge> barrier;  ///< where there is no way: a closed polygon that proves it
 };
 

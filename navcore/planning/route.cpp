@@ -25,6 +25,7 @@ void add_leg(PlanningResult& total, const PlanningResult& leg) {
   total.tree.insert(total.tree.end(), leg.tree.begin(), leg.tree.end());
   total.is_shortest = leg.is_shortest;
   total.reason = leg.reason;
+  total.caution = leg.caution;
   if (leg.reachable) total.reachable = total.reachable.value_or(true) && *leg.reachable;
   total.barrier.insert(total.barrier.end(), leg.barrier.begin(), leg.barrier.end());
   keep_narrowest(total, leg);

@@ -35,31 +35,60 @@ std::string way_in(const Map& map, const std::optional<Bottleneck>& gap) {
   return "the widest way in is " + gap_text(map, *gap);
 }
 
-Finding unreachable_area(const MapDocument& document, const DeploymentOutcome& outcome,
-                         const TravelArea& area) {
-  Finding finding = finding_at(
-      FindingCode::N102,
-      robot_text(outcome) + " cannot get from the largest area to the " + rounded(area.area_m2, 1) +
-          " m² around " + place_text(area.at) + ": " + way_in(document.map, area.gap) +
-          "; open the way in, or close the outline around it if it is solid",
-      area.at);
-  if (area.gap) blame(document, *area.gap, finding);
-  return finding;
+// Nothing leads to it: what is behind a gap is told by the finding in the gap.
+Finding closed_area(const DeploymentOutcome& outcome, const TravelArea& area) {
+  return finding_at(FindingCode::N102,
+                    robot_text(outcome) + " cannot get from the largest area to the " +
+                        rounded(area.area_m2, 1) + " m² around " + place_text(area.at) +
+                        ": it is closed all around; open the way in, or close the outline around "
+                        "it if it is solid",
+                    area.at);
+}
+
+// A gap, and the areas that it keeps the robot from, largest first.
+struct NarrowPassage {
+  Bottleneck gap;
+  std::vector<const TravelArea*> areas;
+};
+
+std::string behind(const NarrowPassage& passage) {
+  const TravelArea& largest = *passage.areas.front();
+  if (passage.areas.size() == 1) {
+    return "the " + rounded(largest.area_m2, 1) + " m² around " + place_text(largest.at);
+  }
+  double sum_m2 = 0.0;
+  for (const TravelArea* area : passage.areas) sum_m2 += area->area_m2;
+  return std::to_string(passage.areas.size()) + " areas of " + rounded(sum_m2, 1) +
+         " m² together, the largest around " + place_text(largest.at);
 }
 
 Finding narrow_passage(const MapDocument& document, const DeploymentOutcome& outcome,
-                       const Bottleneck& gap) {
+                       const NarrowPassage& passage) {
+  const Bottleneck& gap = passage.gap;
   Finding finding =
       finding_at(FindingCode::N106,
                  "a passage " + gap_text(document.map, gap) + ", is too narrow for " +
-                     robot_text(outcome) + ", and there is no other way; widen it by " +
-                     metres(2.0 * outcome.reachability.radius_m - gap.width_m) +
+                     robot_text(outcome) + ", and no wider way leads to " + behind(passage) +
+                     "; widen it by " + metres(2.0 * outcome.reachability.radius_m - gap.width_m) +
                      " m if it is wider in reality",
                  gap.at);
   blame(document, gap, finding);
+  for (const TravelArea* area : passage.areas) finding.geometry.points.push_back(area->at);
   return finding;
 }
 
+void add_to_passages(const TravelArea& area, std::vector<NarrowPassage>& passages) {
+  const auto passage =
+      std::find_if(passages.begin(), passages.end(),
+                   [&](const NarrowPassage& other) { return other.gap.at == area.gap->at; });
+  if (passage == passages.end()) {
+    passages.push_back({*area.gap, {&area}});
+  } else {
+    passage->areas.push_back(&area);
+  }
+}
+
+// One finding for each cause: a closed area, or a gap with all areas behind it.
 void add_areas(const MapDocument& document, const DeploymentOutcome& outcome, double min_area_m2,
                std::vector<Finding>& findings) {
   const auto& areas = outcome.reachability.areas;
@@ -68,15 +97,18 @@ void add_areas(const MapDocument& document, const DeploymentOutcome& outcome, do
         FindingCode::N101, "nowhere in the map can " + robot_text(outcome) +
                                " stand; see whether an outline runs the wrong way round the site"));
   }
-  std::vector<Bottleneck> gaps;  // several areas can lie behind one
+  std::vector<NarrowPassage> passages;
   for (std::size_t i = 1; i < areas.size(); ++i) {
     if (areas[i].area_m2 < min_area_m2) continue;
-    findings.push_back(unreachable_area(document, outcome, areas[i]));
-    const auto& gap = areas[i].gap;
-    const auto is_same = [&](const Bottleneck& other) { return other.at == gap->at; };
-    if (gap && std::none_of(gaps.begin(), gaps.end(), is_same)) gaps.push_back(*gap);
+    if (areas[i].gap) {
+      add_to_passages(areas[i], passages);
+    } else {
+      findings.push_back(closed_area(outcome, areas[i]));
+    }
   }
-  for (const auto& gap : gaps) findings.push_back(narrow_passage(document, outcome, gap));
+  for (const auto& passage : passages) {
+    findings.push_back(narrow_passage(document, outcome, passage));
+  }
 }
 
 void add_cut_off_places(const MapDocument& document, const DeploymentOutcome& outcome,

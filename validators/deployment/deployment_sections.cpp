@@ -90,6 +90,10 @@ std::string reachability_text(const navcore::ReachabilityOutcome& outcome) {
       formatted("reachability for radius %g m: %s, the largest holds %.1f %% of the free ground",
                 outcome.radius_m, counted(outcome.areas.size(), "area").c_str(),
                 100.0 * outcome.largest_fraction);
+  if (outcome.snapped_at) {
+    text += formatted(", walls moved by %.2f mm at most (see (%.3f, %.3f))",
+                      1e3 * outcome.snapping_m, outcome.snapped_at->x, outcome.snapped_at->y);
+  }
   if (outcome.places == 0) return text;
   return text + formatted("; %zu of %s can be reached",
                           outcome.places - outcome.cut_off_places.size(),
@@ -109,6 +113,9 @@ ReportSection reachability_section(const navcore::ReachabilityOutcome& outcome, 
     }
   }
   json["resolution_m"] = outcome.resolution_m;
+  json["walls_moved_m"] = outcome.snapping_m;
+  json["walls_moved_at"] =
+      outcome.snapped_at ? Json({outcome.snapped_at->x, outcome.snapped_at->y}) : Json(nullptr);
   json["places"] = outcome.places;
   json["places_cut_off"] = Json::array();
   for (const auto& place : outcome.cut_off_places) {
