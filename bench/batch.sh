@@ -54,7 +54,7 @@ until [ -e resumed.json ]; do
   "$mapwright" check maps --recursive --quiet "${options[@]}" --jobs 2 \
     --journal journal --resume --format json -o resumed.json &
   run=$!
-  sleep "$((RANDOM % 8 + 1)).$((RANDOM % 10))"
+  sleep "$((RANDOM % 2)).$((RANDOM % 9 + 1))"
   if kill -9 "$run" 2>/dev/null; then kills=$((kills + 1)); fi
   wait "$run" 2>/dev/null || true
 done
