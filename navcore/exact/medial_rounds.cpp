@@ -13,7 +13,7 @@ class Rounds {
     open_.resize(edges.size());
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < edges.size(); i += 2) {  // twins follow each other
-      if (!VoronoiDiagram::is_inner(edges[i])) continue;
+      if (!diagram_.is_inner(edges[i])) continue;
       open_[i] = open_[i + 1] = is_open(number++) ? 1 : 0;
     }
   }

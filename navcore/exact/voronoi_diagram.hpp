@@ -23,8 +23,12 @@ class VoronoiDiagram {
   const Diagram& diagram() const { return diagram_; }
   VoronoiSite site_of(const Cell& cell) const;
 
-  /// True for the edges that a VoronoiGraph has.
-  static bool is_inner(const HalfEdge& edge) { return edge.is_primary() && edge.is_finite(); }
+  /// True for the edges that a VoronoiGraph has: not those at which a segment meets its own end,
+  /// not infinite ones, and not those beside a segment on its blocked side.
+  bool is_inner(const HalfEdge& edge) const {
+    return edge.is_primary() && edge.is_finite() && is_beside_free_side(edge, *edge.cell()) &&
+           is_beside_free_side(edge, *edge.twin()->cell());
+  }
 
   std::uint32_t number_of(const Vertex* vertex) const {
     return static_cast<std::uint32_t>(vertex - diagram_.vertices().data());
@@ -37,7 +41,10 @@ class VoronoiDiagram {
   }
 
  private:
+  bool is_beside_free_side(const HalfEdge& edge, const Cell& cell) const;
+
   const LineWork& work_;
+  std::vector<char> free_sides_;      // by edge of the line work: kLeft, kRight
   std::vector<std::uint32_t> edges_;  // of the line work, by number of the diagram's segment
   Diagram diagram_;
 };

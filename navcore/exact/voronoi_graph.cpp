@@ -3,24 +3,26 @@
 #include <numeric>
 
 #include "navcore/exact/voronoi_diagram.hpp"
+#include "navcore/exact/voronoi_numbers.hpp"
 
 namespace mapwright::navcore::exact {
 namespace {
 
-// Edges of the line work with free space on at least one side.
-std::vector<std::uint32_t> bounding_edges(const Tessellation& space) {
-  std::vector<char> bounds(space.work.edges.size());
+constexpr char kLeft = 1, kRight = 2;
+
+// On which sides of each edge of the line work (a to b) free space lies.
+std::vector<char> free_sides(const Tessellation& space) {
+  std::vector<char> sides(space.work.edges.size());
   for (std::size_t t = 0; t < space.triangles.size(); ++t) {
     if (space.is_free[t] == 0) continue;
-    for (const std::int32_t edge : space.triangles[t].edge) {
-      if (edge >= 0) bounds[static_cast<std::size_t>(edge)] = 1;
+    const Triangle& triangle = space.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {  // corners run counter-clockwise
+      if (triangle.edge[i] < 0) continue;
+      const auto edge = static_cast<std::size_t>(triangle.edge[i]);
+      sides[edge] |= triangle.corner[i] == space.work.edges[edge].a ? kLeft : kRight;
     }
   }
-  std::vector<std::uint32_t> edges;
-  for (std::uint32_t edge = 0; edge < bounds.size(); ++edge) {
-    if (bounds[edge] != 0) edges.push_back(edge);
-  }
-  return edges;
+  return sides;
 }
 
 void add_edges(const VoronoiDiagram& diagram, VoronoiGraph& graph) {
@@ -28,7 +30,7 @@ void add_edges(const VoronoiDiagram& diagram, VoronoiGraph& graph) {
   graph.edges.reserve(edges.size() / 2);
   for (std::size_t i = 0; i < edges.size(); i += 2) {  // twins follow each other
     const auto& edge = edges[i];
-    if (!VoronoiDiagram::is_inner(edge)) continue;
+    if (!diagram.is_inner(edge)) continue;
     graph.edges.push_back({diagram.number_of(edge.vertex0()), diagram.number_of(edge.vertex1()),
                            diagram.number_of(edge.cell()), diagram.number_of(edge.twin()->cell())});
   }
@@ -58,15 +60,32 @@ double distance_to(const VoronoiSite& site, Point p) {
 }
 
 VoronoiDiagram::VoronoiDiagram(const Tessellation& space)
-    : work_(space.work), edges_(bounding_edges(space)) {
+    : work_(space.work), free_sides_(free_sides(space)) {
+  for (std::uint32_t edge = 0; edge < free_sides_.size(); ++edge) {
+    if (free_sides_[edge] != 0) edges_.push_back(edge);
+  }
   if (edges_.empty()) return;
-  boost::polygon::voronoi_builder<std::int32_t> builder;
+  boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers> builder;
   for (const std::uint32_t edge : edges_) {
     const GridPoint a = work_.vertices[work_.edges[edge].a],
                     b = work_.vertices[work_.edges[edge].b];
     builder.insert_segment(a.x, a.y, b.x, b.y);
   }
   builder.construct(&diagram_);
+}
+
+bool VoronoiDiagram::is_beside_free_side(const HalfEdge& edge, const Cell& cell) const {
+  if (!cell.contains_segment()) return true;
+  const std::uint32_t number = edges_[cell.source_index()];
+  if (free_sides_[number] == (kLeft | kRight)) return true;
+  const GridPoint a = work_.vertices[work_.edges[number].a],
+                  b = work_.vertices[work_.edges[number].b];
+  const Point from{static_cast<double>(a.x), static_cast<double>(a.y)};
+  const Point along{static_cast<double>(b.x) - from.x, static_cast<double>(b.y) - from.y};
+  const Point middle{0.5 * (edge.vertex0()->x() + edge.vertex1()->x()),
+                     0.5 * (edge.vertex0()->y() + edge.vertex1()->y())};
+  const double side = cross(along, middle - from);
+  return free_sides_[number] == kLeft ? side >= 0.0 : side <= 0.0;
 }
 
 VoronoiSite VoronoiDiagram::site_of(const Cell& cell) const {

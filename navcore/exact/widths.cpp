@@ -101,28 +101,42 @@ void Widths::index_sites(const LineWork& work) {
   index_.emplace(std::move(segments));
 }
 
-void Widths::grow_forest() {
-  order_.resize(graph_.edges.size());
-  std::iota(order_.begin(), order_.end(), 0U);
-  std::sort(order_.begin(), order_.end(), [&](std::uint32_t p, std::uint32_t q) {
-    const double wide_p = passages_[p].width_mm, wide_q = passages_[q].width_mm;
-    return wide_p != wide_q ? wide_p > wide_q : p < q;
+// Edges that a disc passes, widest first.
+void Widths::order_edges() {
+  struct Key {
+    double width_mm;
+    std::uint32_t edge;
+  };
+  std::vector<Key> keys;
+  keys.reserve(passages_.size());
+  for (std::uint32_t edge = 0; edge < passages_.size(); ++edge) {
+    // Where walls meet, no disc passes from one side to the other.
+    if (passages_[edge].width_mm > 0.0) keys.push_back({passages_[edge].width_mm, edge});
+  }
+  std::sort(keys.begin(), keys.end(), [](const Key& p, const Key& q) {
+    return p.width_mm != q.width_mm ? p.width_mm > q.width_mm : p.edge < q.edge;
   });
+  order_.reserve(keys.size());
+  for (const Key& key : keys) order_.push_back(key.edge);
+}
+
+void Widths::grow_forest() {
+  order_edges();
   links_.resize(graph_.vertices.size());
   for (std::uint32_t i = 0; i < links_.size(); ++i) links_[i] = {i, kNone};
-  std::vector<std::uint32_t> size(graph_.vertices.size(), 1);
-  const auto top = [&](std::uint32_t v) {
-    while (links_[v].parent != v) v = links_[v].parent;
+  std::vector<std::uint32_t> size(links_.size(), 1), above(links_.size());
+  std::iota(above.begin(), above.end(), 0U);
+  const auto top = [&](std::uint32_t v) {  // with shorter ways on each call
+    while (above[v] != v) v = above[v] = above[above[v]];
     return v;
   };
   for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
     const VoronoiEdge& edge = graph_.edges[order_[rank]];
-    // Where walls meet, no disc passes from one side to the other.
-    if (!(passages_[order_[rank]].width_mm > 0.0)) break;
     std::uint32_t a = top(edge.from), b = top(edge.to);
     if (a == b) continue;
     if (size[a] > size[b]) std::swap(a, b);
     links_[a] = {b, rank};
+    above[a] = b;
     size[b] += size[a];
   }
 }

@@ -92,6 +92,7 @@ class Widths {
 
   Passage measure(const VoronoiEdge& edge, Point p, Point q) const;
   double clearance_at(const VoronoiEdge& edge, Point p) const;
+  void order_edges();
   void grow_forest();
   void index_sites(const LineWork& work);
   std::optional<std::uint32_t> narrowest_between(std::uint32_t a, std::uint32_t b) const;
