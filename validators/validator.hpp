@@ -19,6 +19,23 @@ struct ValidationOptions {
   double max_step_turn_deg = tolerance::kGreatestStepTurn_deg;  ///< T105: from step to step
   double unit_normal_error = tolerance::kUnitLength;            ///< T202: | length − 1 |
   double max_ramp_slope_deg = tolerance::kSteepRamp_deg;        ///< T204
+
+  double near_miss_m = tolerance::kSnap_m;                      ///< G120
+  double spike_width_m = tolerance::kSliverWidth_m;             ///< G121
+  double sliver_width_m = tolerance::kSliverWidth_m;            ///< G122
+  double max_border_margin_m = tolerance::kBorderMargin_m;      ///< G125
+  double min_border_margin_m = tolerance::kTightBorder_m;       ///< G126
+  double suspect_height_m = tolerance::kSuspectHeight_m;        ///< S120
+  double laser_height_m = tolerance::kLaserHeight_m;            ///< S121
+  double ground_clearance_m = tolerance::kGroundClearance_m;    ///< S121
+  double min_step_tread_m = tolerance::kLeastStepTread_m;       ///< T120
+  double max_step_tread_m = tolerance::kGreatestStepTread_m;    ///< T120, T125
+  double max_rise_variation_m = tolerance::kRiseVariation_m;    ///< T121
+  double max_tread_variation_m = tolerance::kTreadVariation_m;  ///< T122
+  double min_step_width_m = tolerance::kLeastStepWidth_m;       ///< T123
+  double max_width_ratio = tolerance::kGreatestStepWidthRatio;  ///< T124
+  double min_ramp_rise_m = tolerance::kLeastRampRise_m;         ///< T130
+  double max_ramp_rise_m = tolerance::kGreatestRampRise_m;      ///< T130
 };
 
 /// Everything that is wrong with a map: what its reader found (family F) and what every check finds

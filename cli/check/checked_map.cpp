@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "cli/support/digest.hpp"
@@ -58,7 +59,9 @@ MapRecord check_map(const std::string& path, const std::optional<std::string>& t
   try {
     const MapDocument document = read_map(text ? *text : read_file(path));
     validators::GateOutcome outcome = check_deployment(document, options);
-    if (auto finding = sidecar_finding(path)) outcome.findings.push_back(*std::move(finding));
+    auto more = sidecar_findings(path, document.map);
+    outcome.findings.insert(outcome.findings.end(), std::make_move_iterator(more.begin()),
+                            std::make_move_iterator(more.end()));
     validators::MapReport report{display_path(path), document.text, {}, {}, {}};
     report.sections = deployment_sections(outcome, options);
     auto judgement = rules.judge(path, document, std::move(outcome.findings));

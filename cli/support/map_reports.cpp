@@ -3,14 +3,15 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <string_view>
 
 #include "cli/support/error.hpp"
-#include "cli/support/files.hpp"
 #include "cli/support/findings_layers.hpp"
+#include "cli/support/map_files.hpp"
+#include "converter/frame/frame_agreement.hpp"
 #include "mapcore/georeference.hpp"
+#include "validators/georeference_checks.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -53,14 +54,19 @@ bool is_colour_terminal(const Console& console) {
          (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
-std::optional<Finding> sidecar_finding(const std::string& map_path) {
-  if (map_path == "-") return std::nullopt;
-  const std::string path = sidecar_path(map_path);
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return std::nullopt;
-  const auto georeference = parse_georeference(read_file(path));
-  if (georeference) return std::nullopt;
-  return make_finding(FindingCode::C101, path + ": " + georeference.error().message);
+std::vector<Finding> sidecar_findings(const std::string& map_path, const Map& map) {
+  if (map_path == "-") return {};
+  const auto georeference = read_sidecar(map_path);
+  if (!georeference) {
+    return {make_finding(FindingCode::C101,
+                         sidecar_path(map_path) + ": " + georeference.error().message)};
+  }
+  auto findings = validators::check_georeference(map, *georeference);
+  if (!*georeference) return findings;
+  if (auto mismatch = converter::frame_mismatch(**georeference)) {
+    findings.push_back(*std::move(mismatch));
+  }
+  return findings;
 }
 
 void ReportTotals::add(const validators::MapReport& report) {

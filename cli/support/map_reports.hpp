@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/support/console.hpp"
 #include "cli/verb.hpp"
 #include "mapcore/finding.hpp"
+#include "mapcore/map.hpp"
 #include "validators/report/report.hpp"
 
 namespace mapwright::cli {
@@ -26,8 +26,9 @@ void check_report_output(const validators::ReportFormat& format, const std::stri
 /// not set, or empty).
 bool is_colour_terminal(const Console& console);
 
-/// The finding about the sidecar of a map; nothing where there is none or all is well.
-std::optional<Finding> sidecar_finding(const std::string& map_path);
+/// The findings about the sidecar of a map, and about a map that should have one; none for standard
+/// input. Throws Error (kInput) where the sidecar cannot be read.
+std::vector<Finding> sidecar_findings(const std::string& map_path, const Map& map);
 
 /// What the summary line and the exit status need to know of all maps.
 class ReportTotals {

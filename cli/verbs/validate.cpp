@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -145,8 +146,11 @@ class Validate : public Verb {
   }
 
   void judge(const std::string& path, const MapDocument& document, MapReport& report) const {
-    auto findings = validators::validate(document, rules_->profile(path).validation);
-    if (auto finding = sidecar_finding(path)) findings.push_back(std::move(*finding));
+    auto findings =
+        validators::validate(document, validators::validation_options(rules_->profile(path)));
+    auto more = sidecar_findings(path, document.map);
+    findings.insert(findings.end(), std::make_move_iterator(more.begin()),
+                    std::make_move_iterator(more.end()));
     if (sources_) sources_->name_features(findings);
     auto judgement = rules_->judge(path, document, std::move(findings));
     report.findings = std::move(judgement.findings);

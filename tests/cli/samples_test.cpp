@@ -106,7 +106,9 @@ TEST_F(Samples, MapsAreFit) {
   EXPECT_EQ(result.status, 0);
   for (const auto& map : Json::parse(result.out)["maps"]) {
     EXPECT_EQ(map["verdict"], "pass");
-    EXPECT_EQ(map["findings"].size(), 0U) << map["findings"].dump(1);
+    for (const auto& finding : map["findings"]) {  // benches are lower than the laser
+      EXPECT_EQ(finding["code"], "S121") << finding.dump(1);
+    }
   }
 }
 
@@ -115,7 +117,9 @@ TEST_F(Samples, EachOfTheEightSlipsIsFound) {
   EXPECT_EQ(result.status, 1);
   std::set<std::string> codes;
   const Json answer = Json::parse(result.out);
-  for (const auto& finding : answer["maps"][0]["findings"]) codes.insert(finding["code"]);
+  for (const auto& finding : answer["maps"][0]["findings"]) {
+    if (finding["severity"] == "error") codes.insert(finding["code"]);
+  }
   EXPECT_EQ(codes, (std::set<std::string>{"F107", "F109", "G107", "G109", "S101", "S107", "T101",
                                           "T202"}));
 }

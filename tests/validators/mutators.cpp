@@ -3,77 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
+
+#include "tests/validators/mutation_places.hpp"
 
 namespace mapwright::test {
 namespace {
-
-using Answer = std::optional<Expected>;
-
-template <class Suits>
-std::optional<std::size_t> any_obstacle(const Map& map, Random& random, const Suits& suits) {
-  std::vector<std::size_t> suitable;
-  for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
-    if (suits(map.obstacles[i])) suitable.push_back(i);
-  }
-  if (suitable.empty()) return std::nullopt;
-  return suitable[random.below(suitable.size())];
-}
-
-bool is_ring(const Obstacle& o) {
-  return is_closed(o.shape_type);
-}
-bool is_polygon(const Obstacle& o) {
-  return o.shape_type == ShapeType::kClosedPolygon;
-}
-bool is_rectangle(const Obstacle& o) {
-  return is_polygon(o) && o.segments.size() == 4;
-}
-bool is_wall(const Obstacle& o) {
-  return is_open_chain(o.shape_type);
-}
-bool is_stairs(const Obstacle& o) {
-  return o.shape_type == ShapeType::kStairs && o.segments.size() >= 5;
-}
-bool is_ramp(const Obstacle& o) {
-  return o.shape_type == ShapeType::kRamp;
-}
-bool is_any(const Obstacle&) {
-  return true;
-}
-
-std::size_t any_segment(const Obstacle& o, Random& random) {
-  return random.below(o.segments.size());
-}
-
-void set_vertex(Obstacle& o, std::size_t k, Point p) {
-  const std::size_t n = o.segments.size();
-  o.segments[k].a = p;
-  if (k > 0 || is_ring(o)) o.segments[(k + n - 1) % n].b = p;
-}
-
-// The first of the segments that the vertex k belongs to.
-std::size_t first_at_vertex(const Obstacle& o, std::size_t k) {
-  if (k == 0) return 1;
-  return is_ring(o) || is_wall(o) ? k : k + 1;
-}
-
-void reverse(Obstacle& o) {
-  std::reverse(o.segments.begin(), o.segments.end());
-  for (auto& s : o.segments) std::swap(s.a, s.b);
-}
-
-std::vector<std::size_t> steps_of(const Obstacle& stairs) {
-  std::vector<std::size_t> steps;
-  for (std::size_t k = 0; k < stairs.segments.size(); ++k) {
-    if (stairs.segments[k].height_m > 0.0) steps.push_back(k);
-  }
-  return steps;
-}
-
-std::size_t top_of(const Obstacle& stairs) {
-  return stairs.segments.front().height_m == 0.0 ? 0 : stairs.segments.size() - 1;
-}
 
 Answer invalid_border(Map& map, Random& random) {
   if (random.below(2) == 0) {
@@ -353,7 +287,7 @@ Answer steep_ramp(Map& map, Random& random) {
 
 }  // namespace
 
-const std::vector<Mutator>& mutators() {
+const std::vector<Mutator>& coarse_mutators() {
   static const std::vector<Mutator> all{
       {FindingCode::G101, invalid_border},      {FindingCode::G102, absurd_coordinate},
       {FindingCode::G103, zero_length_segment}, {FindingCode::G104, self_intersection},
@@ -370,6 +304,17 @@ const std::vector<Mutator>& mutators() {
       {FindingCode::T106, steps_oppose},        {FindingCode::T201, missing_normal},
       {FindingCode::T202, invalid_normal},      {FindingCode::T203, ramp_height},
       {FindingCode::T204, steep_ramp}};
+  return all;
+}
+
+const std::vector<Mutator>& mutators() {
+  static const std::vector<Mutator> all = [] {
+    std::vector<Mutator> joined = coarse_mutators();
+    for (const auto* more : {&shape_mutators(), &attribute_mutators(), &stairs_mutators()}) {
+      joined.insert(joined.end(), more->begin(), more->end());
+    }
+    return joined;
+  }();
   return all;
 }
 

@@ -26,6 +26,13 @@ struct Mutator {
 /// One for each finding of the families G, S and T.
 const std::vector<Mutator>& mutators();
 
+/// The parts of `mutators`: slips that break a map, and finer ones of shapes, of attributes, and of
+/// stairs and ramps.
+const std::vector<Mutator>& coarse_mutators();
+const std::vector<Mutator>& shape_mutators();
+const std::vector<Mutator>& attribute_mutators();
+const std::vector<Mutator>& stairs_mutators();
+
 /// A map without defects that has something of everything: a generated campus and beside it a
 /// building with courtyard, a room with furniture, walls that lean on outlines, stairs in both
 /// orders, a ramp.

@@ -1,19 +1,17 @@
 #include "validators/check.hpp"
+#include "validators/shape/branches.hpp"
 #include "validators/wording.hpp"
 
 namespace mapwright::validators {
 namespace {
 
-// A segment written twice breaks the chain too; G111 tells of it.
-bool is_repetition(const Segment& segment, const Segment& before) {
-  return segment.a == before.a && segment.b == before.b;
-}
-
+// A segment written twice breaks the chain too, G111 tells of it; of branches G123.
 void check_obstacle(const Obstacle& obstacle, std::size_t i, FindingSink& sink) {
+  const auto branches = branches_of(obstacle);
   for (std::size_t k = 1; k < obstacle.segments.size(); ++k) {
     const Segment& before = obstacle.segments[k - 1];
     const Segment& segment = obstacle.segments[k];
-    if (before.b == segment.a || is_repetition(segment, before)) continue;
+    if (before.b == segment.a || branches[k] || repeats_the_one_before(obstacle, k)) continue;
     sink.segment(FindingCode::G106, i, k,
                  name_of(obstacle, k) + " begins at " + place_text(segment.a) + ", " +
                      metres(distance(before.b, segment.a)) +

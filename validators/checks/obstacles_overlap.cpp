@@ -52,6 +52,7 @@ class Overlaps {
 
   void check_solid(ObstaclePair pair) {
     const auto [first, second] = pair;
+    if (is_wholly_inside(second, first) || is_wholly_inside(first, second)) return;
     if (bodies_[first] == Body::kSolid) {
       if (const auto reach = reach_into(context_, region(first), second, depth_m_)) {
         return report(second, first, *reach);
@@ -69,6 +70,12 @@ class Overlaps {
     }
   }
 
+  // G124 tells of those.
+  bool is_wholly_inside(std::uint32_t obstacle, std::uint32_t solid) {
+    return bodies_[solid] == Body::kSolid && holds(context_, solid, obstacle) &&
+           lies_wholly_inside(context_, region(solid), obstacle, depth_m_);
+  }
+
   // A hollow ring and an obstacle that lies neither inside nor outside of it as a whole.
   void check_crossing(ObstaclePair pair) {
     const bool first_is_ring = is_hollow(bodies_[pair.first]);
@@ -83,11 +90,7 @@ class Overlaps {
   const Region& region(std::uint32_t solid) {
     const auto found = regions_.find(solid);
     if (found != regions_.end()) return found->second;
-    std::vector<std::uint32_t> holes;
-    for (const auto held : context_.nesting().held(solid)) {
-      if (bodies_[held] == Body::kHole) holes.push_back(held);
-    }
-    return regions_.emplace(solid, Region(context_, solid, std::move(holes))).first->second;
+    return regions_.emplace(solid, region_of(context_, solid)).first->second;
   }
 
   bool is_same_ground(std::uint32_t first, std::uint32_t second) {

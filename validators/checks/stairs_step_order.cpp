@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "validators/check.hpp"
 #include "validators/shape/each_of_kind.hpp"
 #include "validators/wording.hpp"
@@ -20,18 +17,6 @@ void check_closing_segments(const Obstacle& stairs, std::size_t i, const Flight&
                      " has height 0 among steps; only the closing segment beside "
                      "the highest step has that height");
   }
-}
-
-// Pieces of one riser (a bent one, or one of a fan of steps) that stand beside each other, not one
-// behind the other: seen along the first, the second covers less than half of the shorter one.
-bool stand_side_by_side(const Segment& p, const Segment& q) {
-  const Point along = p.b - p.a;
-  const double p_m = length(along);
-  if (p_m == 0.0) return false;
-  const double from = dot(q.a - p.a, along) / p_m;
-  const double to = dot(q.b - p.a, along) / p_m;
-  const double shared_m = std::min(p_m, std::max(from, to)) - std::max(0.0, std::min(from, to));
-  return shared_m < 0.5 * std::min(p_m, std::abs(to - from));
 }
 
 void check_heights(const Obstacle& stairs, std::size_t i, const Flight& flight, FindingSink& sink) {

@@ -1,18 +1,12 @@
 #include <cmath>
-#include <numbers>
 
 #include "validators/check.hpp"
 #include "validators/shape/each_of_kind.hpp"
+#include "validators/shape/line_angle.hpp"
 #include "validators/wording.hpp"
 
 namespace mapwright::validators {
 namespace {
-
-// Angle between the lines of two segments, in [0, 90].
-double line_angle_deg(const Segment& s, const Segment& t) {
-  const Point u = s.b - s.a, v = t.b - t.a;
-  return std::atan2(std::abs(cross(u, v)), std::abs(dot(u, v))) * 180.0 / std::numbers::pi;
-}
 
 std::string degrees(double value) {
   return std::to_string(std::lround(value)) + "°";

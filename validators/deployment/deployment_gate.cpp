@@ -16,7 +16,10 @@ bool has_usable_border(const Border& border) {
 
 GateOutcome check_deployment(const MapDocument& document, const GateOptions& options) {
   GateOutcome outcome;
-  outcome.findings = validate(document, options.validation);
+  // The laser that localizes is the one that overlooks things (S121).
+  ValidationOptions limits = options.validation;
+  limits.laser_height_m = options.deployment.localization.laser.height_m;
+  outcome.findings = validate(document, limits);
   for (const auto& obstacle : document.map.obstacles) outcome.obstacle_ids.push_back(obstacle.id);
   if (!has_usable_border(document.map.border)) return outcome;
   outcome.deployment = navcore::run_deployment(document.map, options.deployment);

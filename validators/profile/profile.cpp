@@ -28,6 +28,12 @@ std::optional<Severity> severity_in(const Profile& profile, const Finding& findi
   return finding.severity;
 }
 
+ValidationOptions validation_options(const Profile& profile) {
+  ValidationOptions options = profile.validation;
+  options.laser_height_m = profile.laser_height_m.value_or(options.laser_height_m);
+  return options;
+}
+
 void apply_profile(const Profile& profile, GateOptions& options) {
   options.validation = profile.validation;
   auto& robot = options.deployment;

@@ -39,6 +39,9 @@ struct Profile {
 /// The severity the profile gives a finding; nothing where it turns the finding off.
 std::optional<Severity> severity_in(const Profile& profile, const Finding& finding);
 
+/// The limits of the checks, the height of the profile's laser among them.
+ValidationOptions validation_options(const Profile& profile);
+
 /// The limits of the profile put into those of a gate; what the profile does not say stays.
 void apply_profile(const Profile& profile, GateOptions& options);
 

@@ -1,6 +1,8 @@
 #include "validators/shape/flight.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 namespace mapwright::validators {
 namespace {
@@ -52,6 +54,54 @@ Flight flight_of(const Obstacle& stairs) {
   flight.top = top_of(flight);
   flight.faces_as_most = facing(stairs, flight.steps);
   return flight;
+}
+
+bool stand_side_by_side(const Segment& p, const Segment& q) {
+  const Point along = p.b - p.a;
+  const double p_m = length(along);
+  if (p_m == 0.0) return false;
+  const double from = dot(q.a - p.a, along) / p_m;
+  const double to = dot(q.b - p.a, along) / p_m;
+  const double shared_m = std::min(p_m, std::max(from, to)) - std::max(0.0, std::min(from, to));
+  return shared_m < 0.5 * std::min(p_m, std::abs(to - from));
+}
+
+std::vector<Riser> risers_of(const Obstacle& stairs, const Flight& flight) {
+  std::vector<Riser> risers;
+  for (const std::size_t k : flight.steps) {
+    const Segment& step = stairs.segments[k];
+    const bool continues = !risers.empty() && risers.back().height_m == step.height_m &&
+                           stand_side_by_side(stairs.segments[risers.back().pieces.back()], step);
+    if (!continues) risers.push_back({{}, step.height_m, 0.0});
+    risers.back().pieces.push_back(k);
+    risers.back().width_m += distance(step.a, step.b);
+  }
+  if (!flight.rises) std::reverse(risers.begin(), risers.end());
+  return risers;
+}
+
+double tread_m(const Obstacle& stairs, const Riser& lower, const Riser& upper) {
+  const Segment& p = stairs.segments[lower.pieces.front()];
+  const Segment& q = stairs.segments[upper.pieces.front()];
+  const Point along = p.b - p.a;
+  const Point to_upper = 0.5 * (q.a + q.b) - 0.5 * (p.a + p.b);
+  return std::abs(cross(along, to_upper)) / length(along);
+}
+
+bool rises_plausibly(const std::vector<Riser>& risers, double min_rise_m, double max_rise_m) {
+  double below_m = 0.0;
+  return std::all_of(risers.begin(), risers.end(), [&](const Riser& riser) {
+    const double rise_m = riser.height_m - below_m;
+    below_m = riser.height_m;
+    return min_rise_m <= rise_m && rise_m <= max_rise_m;
+  });
+}
+
+double median(std::vector<double> values) {
+  assert(!values.empty());
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace mapwright::validators

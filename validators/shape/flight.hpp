@@ -25,4 +25,29 @@ struct Flight {
 /// and from the top down with the closing segment first (its printed sample).
 Flight flight_of(const Obstacle& stairs);
 
+/// True for pieces of one riser (a bent one, or one of a fan of steps) that stand beside each
+/// other, not one behind the other: seen along the first, the second covers less than half of the
+/// shorter one.
+bool stand_side_by_side(const Segment& p, const Segment& q);
+
+/// One step of a flight: mostly a segment, where it is bent or interrupted several of one height.
+struct Riser {
+  std::vector<std::size_t> pieces;  ///< positions of its segments
+  double height_m = 0.0;            ///< above the foot of the stairs
+  double width_m = 0.0;             ///< length of all pieces
+};
+
+/// The risers, from the foot up.
+std::vector<Riser> risers_of(const Obstacle& stairs, const Flight& flight);
+
+/// How far one riser lies behind another, across the lower one's first piece; metres, positive.
+double tread_m(const Obstacle& stairs, const Riser& lower, const Riser& upper);
+
+/// True if each riser is higher than the one below it, by a rise within the limits: only then do
+/// finer questions about the flight make sense.
+bool rises_plausibly(const std::vector<Riser>& risers, double min_rise_m, double max_rise_m);
+
+/// The middle one of some values, of an even number the upper of both; requires at least one.
+double median(std::vector<double> values);
+
 }  // namespace mapwright::validators

@@ -84,6 +84,8 @@ Outline outline_of(const Obstacle& obstacle) {
   if (!outline.is_ring) return outline;
   outline.orientation = ring_orientation(points);
   outline.area_m2 = std::abs(signed_area_m2(points));
+  for (const auto& segment : obstacle.segments)
+    outline.perimeter_m += distance(segment.a, segment.b);
   return outline;
 }
 

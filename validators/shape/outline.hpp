@@ -16,6 +16,7 @@ struct Outline {
   bool is_ring = false;
   RingOrientation orientation = RingOrientation::kDegenerate;  ///< of a ring
   double area_m2 = 0.0;                                        ///< of a ring, positive
+  double perimeter_m = 0.0;                                    ///< of a ring
 
   bool is_clockwise_ring() const { return is_ring && orientation == RingOrientation::kClockwise; }
   bool is_counter_clockwise_ring() const {
@@ -24,6 +25,11 @@ struct Outline {
 };
 
 Outline outline_of(const Obstacle& obstacle);
+
+/// Width of a long rectangle of the ring's area and perimeter, metres.
+inline double mean_width_m(const Outline& ring) {
+  return 2.0 * ring.area_m2 / ring.perimeter_m;
+}
 
 /// A point strictly inside of a ring (O'Rourke, Computational Geometry in C, 1.2: a convex vertex,
 /// and what lies before it), moved to doubles.

@@ -78,4 +78,20 @@ std::optional<Reach> reach_across(const CheckContext& context, std::uint32_t rin
   return first_piece(context, obstacle, context.outlines()[ring].box, edges, changes_side);
 }
 
+bool lies_wholly_inside(const CheckContext& context, const Region& region, std::uint32_t obstacle,
+                        double depth_m) {
+  const auto& obstacles = context.map().obstacles;
+  const auto meets_an_edge = [&](const Segment& segment) {
+    bool meets = false;
+    region.visit_edges(box_of(segment), [&](std::uint32_t outline, std::uint32_t e) {
+      const Segment& edge = obstacles[outline].segments[e];
+      meets = meets || meet(segment.a, segment.b, edge.a, edge.b).kind != Meeting::kNone;
+    });
+    return meets;
+  };
+  const auto& segments = obstacles[obstacle].segments;
+  return !segments.empty() && region.holds(segments.front().a, depth_m) &&
+         std::none_of(segments.begin(), segments.end(), meets_an_edge);
+}
+
 }  // namespace mapwright::validators

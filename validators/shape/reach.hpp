@@ -26,4 +26,9 @@ std::optional<Reach> reach_into(const CheckContext& context, const Region& regio
 std::optional<Reach> reach_across(const CheckContext& context, std::uint32_t ring,
                                   std::uint32_t obstacle, double depth_m);
 
+/// True if all of the obstacle lies in the solid, deeper than `depth_m` where it begins, and meets
+/// no edge of it.
+bool lies_wholly_inside(const CheckContext& context, const Region& region, std::uint32_t obstacle,
+                        double depth_m);
+
 }  // namespace mapwright::validators

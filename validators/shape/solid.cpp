@@ -9,6 +9,8 @@ bool is_high(const Segment& segment) {
   return segment.height_m > 0.0;
 }
 
+}  // namespace
+
 Body body_of(const CheckContext& context, std::size_t i) {
   const Obstacle& obstacle = context.map().obstacles[i];
   const Outline& outline = context.outlines()[i];
@@ -25,8 +27,6 @@ Body body_of(const CheckContext& context, std::size_t i) {
   const bool in_solid = holder && context.outlines()[*holder].is_counter_clockwise_ring();
   return in_solid ? Body::kHole : Body::kRoom;
 }
-
-}  // namespace
 
 std::vector<Body> bodies_of(const CheckContext& context) {
   std::vector<Body> bodies;
@@ -67,6 +67,14 @@ bool Region::holds(Point p, double depth_m) const {
     is_free = is_free || edges.side(p) != PointSide::kOutside || edges.distance_m(p) <= depth_m;
   });
   return !is_free;
+}
+
+Region region_of(const CheckContext& context, std::uint32_t solid) {
+  std::vector<std::uint32_t> holes;
+  for (const auto held : context.nesting().held(solid)) {
+    if (body_of(context, held) == Body::kHole) holes.push_back(held);
+  }
+  return Region(context, solid, std::move(holes));
 }
 
 }  // namespace mapwright::validators

@@ -21,6 +21,9 @@ enum class Body : std::uint8_t {
   kWall,   ///< segments without inside: open walls, stairs, broken outlines
 };
 
+/// The body of one obstacle; see `bodies_of`.
+Body body_of(const CheckContext& context, std::size_t obstacle);
+
 /// The bodies of all obstacles. Rings count as such when all their segments are higher than 0.
 std::vector<Body> bodies_of(const CheckContext& context);
 
@@ -52,5 +55,8 @@ class Region {
   std::uint32_t outer_;
   std::shared_ptr<const SegmentIndex> holes_;  // the diagonals of their boxes; null without holes
 };
+
+/// The solid ring at position `solid` without the courtyards in it. Requires Body::kSolid.
+Region region_of(const CheckContext& context, std::uint32_t solid);
 
 }  // namespace mapwright::validators
