@@ -52,7 +52,8 @@ void ConvertArguments::declare(po::options_description& options,
   add("layer", po::value(&options_.layers)->composing(),
       "convert this layer only; may be given several times (default: all)");
   add("rules", po::value(&rules_)->default_value("auto"),
-      "what layers and fields mean: a rules file, or a built-in set: auto, osm, mapwright");
+      "what layers and fields mean: a rules file, or a built-in set: auto, osm, cadastre, "
+      "mapwright");
   add("explain-rules", po::bool_switch(&explain_rules_),
       "print which rules fit each layer and why, and convert nothing");
   add("where", po::value(&options_.where),
@@ -65,8 +66,9 @@ void ConvertArguments::declare(po::options_description& options,
   add("override-crs", po::value(&options_.override_crs),
       "CRS of all sources, whatever they state: for files that say the wrong one");
   add("local", po::bool_switch(&options_.local), "the sources' coordinates are those of the map");
-  add("local-unit", po::value(&local_unit_)->default_value("1"),
-      "metres of one unit of --local coordinates: 0.3048 for feet, 0.001 for millimetres");
+  add("local-unit", po::value(&local_unit_),
+      "metres of one unit of --local coordinates: 0.3048 for feet, 0.001 for millimetres (default: "
+      "what a DXF file says, else 1)");
   add("swap-axes", po::bool_switch(&options_.swap_axes),
       "the sources have northing or latitude before easting or longitude");
   add("resolution", po::value(&resolution_)->default_value("0.001"),
@@ -101,9 +103,10 @@ void ConvertArguments::check_frame() {
   if (options_.local && !options_.override_crs.empty()) {
     fail_usage("--local and --override-crs exclude each other");
   }
+  if (local_unit_.empty()) return;
   options_.local_unit_m = parse_number("local-unit", local_unit_);
-  if (!(options_.local_unit_m > 0.0)) fail_usage("--local-unit: must be greater than 0");
-  if (!options_.local && options_.local_unit_m != 1.0) {
+  if (!(*options_.local_unit_m > 0.0)) fail_usage("--local-unit: must be greater than 0");
+  if (!options_.local) {
     fail_usage("--local-unit is the unit of --local coordinates: give --local too");
   }
 }

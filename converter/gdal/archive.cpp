@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 
+#include "converter/gdal/dxf_reader.hpp"
 #include "converter/gdal/gdal_reader.hpp"
 #include "converter/gdal/messages.hpp"
 #include "converter/gdal/stored_file.hpp"
@@ -254,7 +255,8 @@ OpenedReader open_archive(const std::string& path, const std::vector<std::string
     if (is_dataset(member.name)) datasets.push_back(*unpacked);
   }
   for (const auto& dataset : datasets) {
-    auto opened = open_gdal({dataset, reader->renamed(dataset), {}, drivers}, notice);
+    const GdalInput input{dataset, reader->renamed(dataset), {}, drivers};
+    auto opened = is_dxf(dataset) ? open_dxf(input, notice) : open_gdal(input, notice);
     if (!opened) return tl::unexpected(reader->renamed(opened.error()));
     reader->add(*std::move(opened));
   }

@@ -18,9 +18,17 @@ void CPL_STDCALL on_message(CPLErr severity, CPLErrorNum /*number*/, const char*
 
 }  // namespace
 
-// "In file ./port/cpl_vsil_gzip.cpp, at line 812, return -1"
-std::string without_source_line(const std::string& message) {
-  return message.rfind("In file ", 0) == 0 ? "its compressed data is damaged" : message;
+// "In file ./port/cpl_vsil_gzip.cpp, at line 812, return -1"; "./ogr/ogrdxflayer.cpp, 3367: error
+// at line 149 of …"
+std::string plain_message(std::string message) {
+  if (message.starts_with("In file ")) return "its compressed data is damaged";
+  const auto colon = message.find(": ");
+  if (message.starts_with("./") && colon != message.npos) message.erase(0, colon + 2);
+  for (const char* advice : {" To avoid accepting it,", " You may set the "}) {
+    if (const auto at = message.find(advice); at != message.npos) message.erase(at);
+  }
+  while (message.ends_with('.') || message.ends_with(' ')) message.pop_back();
+  return message;
 }
 
 GdalMessages::GdalMessages() {
@@ -30,7 +38,8 @@ GdalMessages::~GdalMessages() {
   CPLPopErrorHandler();
 }
 
-void GdalMessages::add(bool is_error, const char* text) {
+void GdalMessages::add(bool is_error, const char* said) {
+  const std::string text = plain_message(said);
   if (is_error && first_error_.empty()) {
     first_error_ = text;
   } else if (warnings_.size() < kMostWarnings &&

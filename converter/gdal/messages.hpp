@@ -7,8 +7,8 @@
 
 namespace mapwright::converter {
 
-/// A message of GDAL without the place in GDAL's own source code that some begin with.
-std::string without_source_line(const std::string& message);
+/// A message of GDAL without places in GDAL's own source code and advice on GDAL's own options.
+std::string plain_message(std::string message);
 
 /// Catches GDAL's messages on this thread for as long as it lives. They may be nested.
 class GdalMessages {
@@ -26,7 +26,7 @@ class GdalMessages {
   void clear_error() { first_error_.clear(); }
 
   /// Adds a message; called by the handler GDAL knows.
-  void add(bool is_error, const char* text);
+  void add(bool is_error, const char* said);
 
  private:
   std::vector<std::string> warnings_;

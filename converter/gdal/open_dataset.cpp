@@ -38,8 +38,7 @@ bool is_about_open_options(const std::string& warning) {
 }
 
 std::string refusal(const GdalInput& input, const GdalMessages& messages, bool is_known_format) {
-  const std::string reason =
-      messages.has_error() ? ": " + without_source_line(messages.first_error()) : std::string();
+  const std::string reason = messages.has_error() ? ": " + messages.first_error() : std::string();
   if (is_known_format) return input.title + ": cannot be read" + reason;
   std::string text = input.title +
                      ": is no GIS file that can be read here (Shapefile, GeoPackage, GeoJSON, "

@@ -4,6 +4,7 @@
 
 #include "converter/gdal/archive.hpp"
 #include "converter/gdal/drivers.hpp"
+#include "converter/gdal/dxf_reader.hpp"
 #include "converter/gdal/gdal_reader.hpp"
 #include "converter/gdal/private_copy.hpp"
 #include "converter/isolation/isolated_reader.hpp"
@@ -56,7 +57,7 @@ OpenedReader open_by_format(const GdalInput& input, const DriverNotice& notice) 
     return open_osm(input.path);
   }
   if (is_archive(input.path)) return open_archive(input.path, input.drivers, notice);
-  return open_gdal(input, notice);
+  return is_dxf(input.path) ? open_dxf(input, notice) : open_gdal(input, notice);
 }
 
 }  // namespace

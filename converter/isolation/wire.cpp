@@ -90,6 +90,8 @@ void put(WireWriter& wire, const std::vector<LayerInfo>& layers) {
     wire.put(layer.geometry);
     put_crs(wire, layer.crs);
     wire.put(layer.declared_features);
+    wire.put(layer.metres_per_local_unit);
+    wire.put(layer.chains_lines);
   }
 }
 
@@ -103,6 +105,8 @@ void get(WireReader& wire, std::vector<LayerInfo>& layers) {
     wire.get(layer.geometry);
     get_crs(wire, layer.crs);
     wire.get(layer.declared_features);
+    wire.get(layer.metres_per_local_unit);
+    wire.get(layer.chains_lines);
   }
 }
 

@@ -35,6 +35,20 @@ class FirstProblem : public osmium::area::ProblemReporter {
   void report_ring_not_closed(const osmium::NodeRef& node, const osmium::Way*) override {
     note("its ring does not close", node.location());
   }
+  void report_role_should_be_outer(osmium::object_id_type, osmium::Location at,
+                                   osmium::Location) override {
+    note("an outer way has another role", at);
+  }
+  void report_role_should_be_inner(osmium::object_id_type, osmium::Location at,
+                                   osmium::Location) override {
+    note("an inner way has another role", at);
+  }
+  void report_way_in_multiple_rings(const osmium::Way&) override {
+    note("a way is part of several rings", osmium::Location());
+  }
+  void report_duplicate_way(const osmium::Way&) override {
+    note("a way is its member twice", osmium::Location());
+  }
   void report_invalid_location(osmium::object_id_type, osmium::object_id_type) override {
     note("a node of its ways is missing", osmium::Location());
   }
@@ -185,7 +199,7 @@ std::string append_multipolygon(const std::vector<const OsmWay*>& ways, const Os
   osmium::area::Assembler assemble(config);
   assemble(members.get<osmium::Relation>(relation_offset), pointers, areas);
   for (const auto& area : areas.select<osmium::Area>()) append_area(area, geometry);
-  if (!geometry.paths.empty()) return {};
+  if (!geometry.paths.empty()) return problem.text();
   append_unsorted(ways, data, geometry);
   return problem.text().empty() ? "its ways form no ring" : problem.text();
 }

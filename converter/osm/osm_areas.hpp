@@ -13,8 +13,9 @@ namespace mapwright::converter {
 /// Ways are those the file holds.
 ///
 /// Rings that cross or overlap cannot be told apart: they are all appended as rings of one polygon,
-/// if they close, for whoever repairs polygons; then, and where nothing could be appended, the
-/// answer says what is wrong. It is empty for a sound multipolygon.
+/// if they close, for whoever repairs polygons. The answer is empty for a sound multipolygon, and
+/// else says what is wrong with it, also where the rings could be found all the same (roles that
+/// contradict them, spikes, two nodes at one place).
 std::string append_multipolygon(const std::vector<const OsmWay*>& ways, const OsmRelation& relation,
                                 const OsmData& data, SourceGeometry& geometry);
 

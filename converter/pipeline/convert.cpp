@@ -9,6 +9,7 @@
 #include "converter/detective/doubts.hpp"
 #include "converter/frame/frame_wkt.hpp"
 #include "converter/pipeline/assembly.hpp"
+#include "converter/pipeline/chained_lines.hpp"
 #include "converter/pipeline/layer_converter.hpp"
 #include "converter/pipeline/leaning_walls.hpp"
 #include "converter/pipeline/sources.hpp"
@@ -55,21 +56,24 @@ Result<MapTransform> transform_of(const LayerJob& job, const std::optional<Local
 // Layers of one CRS share their way to the map, and with it what it has learnt of the ground.
 class Transforms {
  public:
-  Transforms(const std::optional<LocalFrame>& frame, double local_unit_m)
+  Transforms(const std::optional<LocalFrame>& frame, std::optional<double> local_unit_m)
       : frame_(frame), local_unit_m_(local_unit_m) {}
 
   Result<MapTransform> of(const LayerJob& job) {
-    const auto known = by_crs_.find(job.crs.wkt);
-    if (known != by_crs_.end()) return known->second;
-    auto transform = transform_of(job, frame_, local_unit_m_);
-    if (transform) by_crs_.emplace(job.crs.wkt, *transform);
+    const Key key{job.crs.wkt, local_unit_m_.value_or(job.info().metres_per_local_unit)};
+    const auto known = known_.find(key);
+    if (known != known_.end()) return known->second;
+    auto transform = transform_of(job, frame_, key.second);
+    if (transform) known_.emplace(key, *transform);
     return transform;
   }
 
  private:
+  using Key = std::pair<std::string, double>;  // WKT, unit where there is none
+
   const std::optional<LocalFrame>& frame_;
-  double local_unit_m_;
-  std::map<std::string, MapTransform> by_crs_;
+  std::optional<double> local_unit_m_;
+  std::map<Key, MapTransform> known_;
 };
 
 // What is done to the whole drawing on request, in the order in which each helps the next.
@@ -150,6 +154,13 @@ std::vector<std::string> warnings_of(const ConvertOptions& options, const Opened
   return warnings;
 }
 
+// By position in the ledger's sources, which follow the jobs.
+std::vector<bool> layers_to_chain(const OpenedSources& sources) {
+  std::vector<bool> joins;
+  for (const auto& job : sources.jobs) joins.push_back(job.info().chains_lines);
+  return joins;
+}
+
 }  // namespace
 
 Result<Conversion> convert(const ConvertOptions& options) {
@@ -164,6 +175,7 @@ Result<Conversion> convert(const ConvertOptions& options) {
   workspace.repair = options.repair;
   auto done = convert_layers(options, **sources, frame, workspace);
   if (!done) return tl::unexpected(done.error());
+  chain_lines(layers_to_chain(**sources), workspace);
   drop_walls_that_are_steps(workspace);
   tidy(options, workspace);
   if (options.repair) turn_leaning_walls(workspace);

@@ -25,10 +25,10 @@ struct ConvertOptions {
   std::string where;               ///< SQL condition
   std::optional<Box> bbox;         ///< metres, map frame
   FrameOptions frame;
-  std::string source_crs;     ///< of layers that state none
-  std::string override_crs;   ///< of all layers, whatever they state
-  bool local = false;         ///< coordinates are those of the map frame, in
-  double local_unit_m = 1.0;  ///< this unit
+  std::string source_crs;              ///< of layers that state none
+  std::string override_crs;            ///< of all layers, whatever they state
+  bool local = false;                  ///< coordinates are those of the map frame, in
+  std::optional<double> local_unit_m;  ///< this unit; nothing: the source's own, or metres
   double resolution_m = tolerance::kResolution_m;
   bool repair = true;
   double snap_m = 0.0;         ///< vertices nearer than this become one; 0: none

@@ -24,8 +24,13 @@ Point along(const Step& step) {
 void bring_into_order(std::vector<Step>& steps) {
   const bool numbered = std::all_of(steps.begin(), steps.end(),
                                     [](const Step& step) { return step.step_no.has_value(); });
+  // Steps of one height lie side by side: their place decides, because formats with a spatial index
+  // hand them over in an order of its own.
   std::stable_sort(steps.begin(), steps.end(), [&](const Step& p, const Step& q) {
-    return numbered && *p.step_no != *q.step_no ? *p.step_no < *q.step_no : p.height_m < q.height_m;
+    if (numbered && *p.step_no != *q.step_no) return *p.step_no < *q.step_no;
+    if (p.height_m != q.height_m || p.height_m <= 0.0) return p.height_m < q.height_m;
+    const Point a = p.line.front(), b = q.line.front();
+    return std::tie(a.x, a.y) < std::tie(b.x, b.y);
   });
 }
 

@@ -73,8 +73,7 @@ class PolygonCollector {
     if (path.role == PathRole::kPoint) return add_point(path);
     CleanPath clean = clean_path(task_.feature.geometry, path, workspace_.resolution);
     const bool inner = path.role == PathRole::kInnerRing;
-    if (clean.had_repeats)
-      change_once(FindingCode::C202, "points that stood twice in a row were taken once");
+    if (clean.had_repeats) remark_repeats();
     if (!clean.closed && clean.points.size() > 2) {
       change_once(FindingCode::C203, "an outline that did not close was closed");
     }
@@ -99,6 +98,13 @@ class PolygonCollector {
     const auto& geometry = task_.feature.geometry;
     const Point center{geometry.xs[path.first], geometry.ys[path.first]};
     polygons_.push_back({{round_outline(center, *task_.meaning.radius_m, workspace_)}, true});
+  }
+
+  // The same geometry with fewer words: nothing is changed.
+  void remark_repeats() {
+    const std::string text = "points that stood twice in a row were taken once";
+    if (said_.insert({FindingCode::C202, text}).second)
+      workspace_.ledger.remark(task_.account, FindingCode::C202, text);
   }
 
   void change_once(FindingCode code, const std::string& message) {
@@ -183,6 +189,20 @@ void append_repaired(const FeatureTask& task, const DrawnPolygon& drawn, const s
   for (auto& part : *parts) outlines.push_back({std::move(part), drawn.curved});
 }
 
+// Each part becomes obstacles of its own, whatever it has to do with the others.
+void tell_about_parts(const FeatureTask& task, const std::vector<DrawnPolygon>& polygons,
+                      Workspace& workspace) {
+  if (!workspace.repair || polygons.size() < 2) return;
+  std::vector<std::vector<Ring>> sound;
+  for (const auto& polygon : polygons) {
+    if (polygon_defect(polygon.rings).empty()) sound.push_back(polygon.rings);
+  }
+  const auto defect = parts_defect(sound);
+  if (defect.empty()) return;
+  workspace.ledger.change(task.account, FindingCode::C201,
+                          defect + ": each part is an obstacle of its own");
+}
+
 // Rooms are free within: the outline runs clockwise, what stands in the room counter-clockwise.
 void turn_inside_out(std::vector<Outline>& outlines) {
   for (auto& outline : outlines) {
@@ -196,7 +216,9 @@ void turn_inside_out(std::vector<Outline>& outlines) {
 
 std::vector<Outline> outlines_of(const FeatureTask& task, Workspace& workspace) {
   std::vector<Outline> outlines;
-  for (auto& drawn : PolygonCollector(task, workspace).collect()) {
+  auto polygons = PolygonCollector(task, workspace).collect();
+  tell_about_parts(task, polygons, workspace);
+  for (auto& drawn : polygons) {
     const std::string defect = workspace.repair ? polygon_defect(drawn.rings) : std::string();
     if (defect.empty())
       outlines.push_back({as_drawn(drawn), drawn.curved});

@@ -77,7 +77,59 @@ std::optional<Normal> normal_through(const SourceGeometry& geometry, const Sourc
   return upward_unit({-a, -b, 1.0});
 }
 
+namespace {
+
+bool is_drawn_as_line(const SourceGeometry& geometry) {
+  return std::any_of(geometry.paths.begin(), geometry.paths.end(),
+                     [](const SourcePath& path) { return path.role == PathRole::kLine; });
+}
+
+std::string missing_for_line(const Meaning& meaning) {
+  if (!meaning.slope_deg || *meaning.slope_deg == 0.0) return "how steep it is";
+  if (!meaning.upwards) return "which end is up";
+  if (!meaning.width_m || !(*meaning.width_m > 0.0)) return "how wide it is";
+  return {};
+}
+
+// Rectangle around a straight piece, counter-clockwise.
+std::vector<Point> strip(Point from, Point to, double width_m, const Workspace& workspace) {
+  const Point along = (1.0 / distance(from, to)) * (to - from);
+  const Point left = (0.5 * width_m) * Point{-along.y, along.x};
+  std::vector<Point> corners{from - left, to - left, to + left, from + left};
+  for (Point& p : corners) p = workspace.snapped(p);
+  return corners;
+}
+
+}  // namespace
+
+// Each straight piece of the line is a ramp of its own: a bend turns the slope.
+void RampCollector::add_along_lines(const FeatureTask& task) {
+  const auto missing = missing_for_line(task.meaning);
+  if (!missing.empty()) {
+    return workspace_.ledger.drop(task.account, FindingCode::C218,
+                                  "a ramp drawn as a line of which nothing says " + missing);
+  }
+  const double slope_deg = std::abs(*task.meaning.slope_deg);
+  for (const auto& path : task.feature.geometry.paths) {
+    const auto line = clean_path(task.feature.geometry, path, workspace_.resolution).points;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      Ramp ramp;
+      ramp.draft = draft_for(task, ShapeType::kRamp);
+      ramp.style = {0.0, task.meaning.in_out, Semantic(task.meaning.segment_semantic)};
+      ramp.account = task.account;
+      ramp.refers_to_map = true;
+      const Point up = *task.meaning.upwards ? line[i + 1] - line[i] : line[i] - line[i + 1];
+      const Point steepness = unit_vector_deg(slope_deg);
+      const Point downhill = (-steepness.y / length(up)) * up;
+      ramp.normal = upward_unit({downhill.x, downhill.y, steepness.x});
+      ramp.footprints.push_back(strip(line[i], line[i + 1], *task.meaning.width_m, workspace_));
+      ramps_.push_back(std::move(ramp));
+    }
+  }
+}
+
 void RampCollector::add(const FeatureTask& task) {
+  if (is_drawn_as_line(task.feature.geometry)) return add_along_lines(task);
   Ramp ramp;
   ramp.draft = draft_for(task, ShapeType::kRamp);
   ramp.style = {0.0, task.meaning.in_out, Semantic(task.meaning.segment_semantic)};

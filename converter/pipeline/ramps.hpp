@@ -30,6 +30,7 @@ class RampCollector {
     std::size_t account = 0;
   };
 
+  void add_along_lines(const FeatureTask& task);
   bool normals_refer_to_map(std::string& grounds) const;
   void write(Ramp& ramp, bool auto_means_map, const std::string& grounds);
 

@@ -179,8 +179,10 @@ Result<GeoPoint> center_of(const OpenedSources& sources, bool swap_axes) {
     }
   }
   if (all.is_empty()) {
-    return input_failure(sources.sources.front()->path() +
-                         ": no layer has a place on Earth to put the origin at; is it empty?");
+    return input_failure(
+        sources.sources.front()->path() +
+        ": none of its features has coordinates: there is no place on Earth to put the "
+        "origin at");
   }
   return GeoPoint{tidy(0.5 * (all.min_x + all.max_x)), tidy(0.5 * (all.min_y + all.max_y))};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "converter/pipeline/laid_steps.hpp"
 #include "converter/pipeline/outlines.hpp"
@@ -12,6 +13,7 @@ namespace mapwright::converter {
 namespace {
 
 constexpr double kMostSteps = 1000.0;
+constexpr double kSharpBend = 0.87;  // cosine of 30 degrees: fan stairs turn less from step to step
 
 SegmentStyle style_of(const FeatureTask& task) {
   return {0.0, task.meaning.in_out, Semantic(task.meaning.segment_semantic)};
@@ -82,22 +84,73 @@ std::string missing_for_polygon(const FeatureTask& task) {
 }
 
 std::string missing_for_line(const FeatureTask& task) {
-  if (!step_count(task.meaning)) return "stairs without number of steps";
   if (!task.meaning.upwards) return "stairs of which nothing says which end is up";
   if (!task.meaning.width_m || !(*task.meaning.width_m > 0.0)) return "stairs without width";
   return {};
 }
 
+double length_of(const std::vector<Point>& line) {
+  double total = 0.0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) total += distance(line[i], line[i + 1]);
+  return total;
+}
+
+// What is stated, else as many steps of usual depth as there is room for.
+int steps_along(const std::vector<Point>& line, const FeatureTask& task, Workspace& workspace) {
+  if (const auto stated = step_count(task.meaning)) return *stated;
+  const double tread_m = workspace.settings.tread_m;
+  const double room = std::clamp(std::round(length_of(line) / tread_m), 1.0, kMostSteps);
+  const int count = static_cast<int>(room);
+  char text[128];
+  std::snprintf(text, sizeof text,
+                "no number of steps is given: %d of them, %.2f m deep, were laid along its length",
+                count, tread_m);
+  workspace.ledger.change(task.account, FindingCode::C217, text);
+  return count;
+}
+
+// Stretches of a line without sharp bend: stairs around a corner are several flights.
+std::vector<std::vector<Point>> flights_along(const std::vector<Point>& line) {
+  std::vector<std::vector<Point>> flights{{line[0], line[1]}};
+  for (std::size_t i = 2; i < line.size(); ++i) {
+    const Point before = line[i - 1] - line[i - 2];
+    const Point after = line[i] - line[i - 1];
+    const bool sharp = dot(before, after) < kSharpBend * length(before) * length(after);
+    if (sharp) flights.push_back({line[i - 1]});
+    flights.back().push_back(line[i]);
+  }
+  return flights;
+}
+
+// Steps of each flight, by its share of the length.
+std::vector<std::vector<std::vector<Point>>> risers_along(const std::vector<Point>& line,
+                                                          double width_m, int count) {
+  std::vector<std::vector<std::vector<Point>>> risers;
+  const double total = length_of(line);
+  double passed = 0.0;
+  int laid = 0;
+  for (const auto& flight : flights_along(line)) {
+    passed += length_of(flight);
+    const int share = static_cast<int>(std::lround(count * passed / total)) - laid;
+    laid += share;
+    if (share > 0) risers.push_back(risers_across_line(flight, width_m, share));
+  }
+  return risers;
+}
+
 std::vector<std::vector<std::vector<Point>>> risers_of(const FeatureTask& task,
                                                        Workspace& workspace) {
   std::vector<std::vector<std::vector<Point>>> flights;
-  const int count = *step_count(task.meaning);
   auto lines = drawn_lines(task, workspace);
   for (auto& line : lines) {
     if (!*task.meaning.upwards) std::reverse(line.begin(), line.end());
-    flights.push_back(risers_across_line(line, *task.meaning.width_m, count));
+    const int count = steps_along(line, task, workspace);
+    for (auto& flight : risers_along(line, *task.meaning.width_m, count)) {
+      flights.push_back(std::move(flight));
+    }
   }
   if (!lines.empty()) return flights;
+  const int count = *step_count(task.meaning);
   for (const auto& outline : outlines_of(task, workspace)) {
     flights.push_back(risers_in_outline(outline.polygon.outer, upwards(task), count));
   }
@@ -135,8 +188,12 @@ void StairsCollector::add_stairs(const FeatureTask& task, const std::string& pla
   if (!missing.empty()) {
     add_low_obstacle(task, missing, workspace_);
   } else {
-    const double rise_m = rise_of(task.meaning, *step_count(task.meaning), workspace_.settings);
-    for (const auto& risers : risers_of(task, workspace_)) {
+    const auto flights = risers_of(task, workspace_);
+    std::size_t laid_count = 0;
+    for (const auto& risers : flights) laid_count += risers.size();
+    const int count = step_count(task.meaning).value_or(static_cast<int>(laid_count));
+    const double rise_m = rise_of(task.meaning, std::max(count, 1), workspace_.settings);
+    for (const auto& risers : flights) {
       auto steps = laid_steps(task, risers, rise_m, workspace_);
       if (steps.empty()) continue;
       Draft draft = draft_for(task, ShapeType::kStairs);

@@ -40,7 +40,7 @@ void append_line(const FeatureTask& task, const SourcePath& path, Workspace& wor
                  std::vector<Line>& lines) {
   CleanPath clean = clean_path(task.feature.geometry, path, workspace.resolution);
   if (clean.had_repeats) {
-    workspace.ledger.change(task.account, FindingCode::C202,
+    workspace.ledger.remark(task.account, FindingCode::C202,
                             "points that stood twice in a row were taken once");
   }
   if (clean.points.size() < 2) {

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <iterator>
 
+#include "converter/rules/length_text.hpp"
+
 namespace mapwright::converter {
 namespace {
 
@@ -21,6 +23,17 @@ std::optional<double> read(const Field& field, double factor, const SourceFeatur
   return value;
 }
 
+// "up" and "down" say which way and not how steeply: they are understood, but no number.
+std::optional<double> read_slope(const Field& field, const SourceFeature& feature,
+                                 std::vector<std::string>& unreadable) {
+  if (const auto number = field.number(feature)) return number;
+  const auto text = field.text(feature);
+  if (!text || *text == "up" || *text == "down") return std::nullopt;
+  const auto slope = slope_deg_from_text(*text);
+  if (!slope) unreadable.push_back(field.layer_name() + " '" + *text + "'");
+  return slope;
+}
+
 }  // namespace
 
 BoundQuantity::BoundQuantity(const Quantity& quantity, const std::vector<std::string>& layer_fields,
@@ -32,6 +45,7 @@ BoundQuantity::BoundQuantity(const Quantity& quantity, const std::vector<std::st
     if (!term.constant) bound.field = Field(layer_fields, term.field);
     if (!term.minus.empty()) bound.minus = Field(layer_fields, term.minus);
     bound.has_minus = !term.minus.empty();
+    bound.slope = term.slope;
     const bool can_have_value = bound.field.exists() && (!bound.has_minus || bound.minus.exists());
     if (bound.constant || can_have_value) terms_.push_back(std::move(bound));
   }
@@ -41,7 +55,8 @@ std::optional<double> BoundQuantity::evaluate(const SourceFeature& feature,
                                               std::vector<std::string>& unreadable) const {
   for (const auto& term : terms_) {
     if (term.constant) return term.constant;
-    const auto value = read(term.field, term.factor, feature, unreadable);
+    const auto value = term.slope ? read_slope(term.field, feature, unreadable)
+                                  : read(term.field, term.factor, feature, unreadable);
     if (!value) continue;
     if (!term.has_minus) return value;
     if (const auto less = read(term.minus, term.factor, feature, unreadable)) return *value - *less;

@@ -30,6 +30,7 @@ class BoundQuantity {
     std::optional<double> constant;
     Field field, minus;
     bool has_minus = false;
+    bool slope = false;
     double factor = 1.0;
   };
   std::vector<Term> terms_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "converter/rules/bound_condition.hpp"
 #include "converter/rules/bound_quantity.hpp"
@@ -110,6 +111,11 @@ void BoundRule::read_direction(const SourceFeature& feature, Meaning& meaning) c
   const std::string word = folded(first_text(direction_, feature));
   if (word == "up") meaning.upwards = true;
   if (word == "down") meaning.upwards = false;
+  // OSM's "8%" and "-12°": uphill along the drawing, or against it.
+  if (word.ends_with('%') || word.ends_with("\u00b0")) {
+    const double steepness = std::strtod(word.c_str(), nullptr);
+    if (steepness != 0.0) meaning.upwards = steepness > 0.0;
+  }
   meaning.direction_deg = first_number(direction_, feature);
   if (!meaning.direction_deg) meaning.direction_deg = rule_->constant_direction_deg;
 }

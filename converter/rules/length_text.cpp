@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace mapwright::converter {
@@ -87,6 +88,14 @@ std::optional<double> number_from_text(std::string_view text) {
   text = trimmed(text);
   const auto value = take_number(text);
   return value && text.empty() ? value : std::nullopt;
+}
+
+std::optional<double> slope_deg_from_text(std::string_view text) {
+  text = trimmed(text);
+  const auto value = take_number(text);
+  if (!value) return std::nullopt;
+  if (text == "%") return std::atan(*value / 100.0) * 180.0 / std::numbers::pi;
+  return text.empty() || text == "\u00b0" ? value : std::nullopt;
 }
 
 }  // namespace mapwright::converter

@@ -13,4 +13,8 @@ std::optional<double> length_from_text(std::string_view text, double metres_per_
 /// A plain number, with '.' or ',' as decimal point and blanks around it. Nothing for other texts.
 std::optional<double> number_from_text(std::string_view text);
 
+/// Reads a steepness as degrees, the sign kept: "8%", "-12°", "7" (degrees). Nothing for other
+/// texts, "up" and "down" included.
+std::optional<double> slope_deg_from_text(std::string_view text);
+
 }  // namespace mapwright::converter

@@ -33,6 +33,7 @@ struct QuantityTerm {
   std::string minus;  ///< a field to subtract, in the same unit; empty: none
   double metres_per_unit = 1.0;
   bool storeys = false;  ///< the field counts storeys
+  bool slope = false;    ///< the field is a steepness: degrees, or a text such as "8%"
 };
 
 /// The first term that has a value counts.

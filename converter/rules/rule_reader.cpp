@@ -80,6 +80,12 @@ Quantity read_quantity(const YAML::Node& node) {
   return quantity;
 }
 
+Quantity read_slope(const YAML::Node& node) {
+  Quantity slope = read_quantity(node);
+  for (auto& term : slope.terms) term.slope = true;
+  return slope;
+}
+
 struct Comparison {
   std::string sign;
   Condition::Test test;
@@ -208,7 +214,7 @@ Rule read_rule(const YAML::Node& node) {
              {"step_no", texts(rule.step_no)},
              {"direction", [&](const auto& n) { read_direction(n, rule); }},
              {"normal", [&](const auto& n) { read_normal(n, rule); }},
-             {"slope", quantity(rule.slope)},
+             {"slope", [&](const auto& n) { rule.slope = read_slope(n); }},
              {"aspect", quantity(rule.aspect)},
              {"axes", [&](const auto& n) { rule.axes = read_axes(n); }}});
   if (!has_kind) fail_at(node, "a rule without 'kind'");

@@ -12,7 +12,7 @@ namespace mapwright::converter {
 /// with "NAME:LINE:COLUMN: error: …" for the first mistake: bad YAML, unknown keys, wrong values.
 Result<RuleSet> read_rules(const std::string& yaml, const std::string& name);
 
-/// Names of the built-in sets: auto, mapwright, osm.
+/// Names of the built-in sets: auto, cadastre, mapwright, osm.
 const std::vector<std::string>& builtin_rule_sets();
 
 /// YAML text of a built-in set; empty for a name there is none of.

@@ -21,6 +21,8 @@ struct LayerInfo {
       GeometryKind::kMixed;  ///< declared; kMixed where the layer leaves it open
   Crs crs;
   std::int64_t declared_features = -1;  ///< negative where only reading tells
+  double metres_per_local_unit = 1.0;   ///< of coordinates without CRS
+  bool chains_lines = false;  ///< a drawing: its lines are loose and their direction means nothing
 };
 
 struct ReadOptions {

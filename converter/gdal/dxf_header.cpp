@@ -1,0 +1,54 @@
+#include "converter/gdal/dxf_header.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <string_view>
+
+#include "converter/gdal/stored_file.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 1 << 16U;  // some 400 variables of 30 bytes
+
+// By the value of $INSUNITS, 0 to 14.
+constexpr std::array<double, 15> kUnits_m{0.0,    0.0254, 0.3048, 1609.344, 0.001,
+                                          0.01,   1.0,    1000.0, 2.54e-8,  2.54e-5,
+                                          0.9144, 1e-10,  1e-9,   1e-6,     0.1};
+constexpr long kDecametre = 15, kHectometre = 16, kSurveyFoot = 21;
+constexpr double kSurveyFoot_m = 1200.0 / 3937.0;
+
+std::optional<double> unit_m(long code) {
+  if (code > 0 && code < static_cast<long>(kUnits_m.size())) {
+    return kUnits_m[static_cast<std::size_t>(code)];
+  }
+  if (code == kDecametre) return 10.0;
+  if (code == kHectometre) return 100.0;
+  if (code == kSurveyFoot) return kSurveyFoot_m;
+  return std::nullopt;
+}
+
+// The next line from `at` on, without blanks around it.
+std::string_view next_line(std::string_view text, std::size_t& at) {
+  const auto end = std::min(text.find('\n', at), text.size());
+  auto line = text.substr(at, end - at);
+  at = std::min(end + 1, text.size());
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+  while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+  return line;
+}
+
+}  // namespace
+
+std::optional<double> dxf_metres_per_unit(const std::string& path) {
+  std::string header(kHeaderBytes, '\0');
+  header.resize(StoredFile(path).read(0, header.data(), header.size()));
+  const std::string_view text(header);
+  auto at = text.find("$INSUNITS");
+  if (at == text.npos || at > text.find("ENDSEC")) return std::nullopt;
+  next_line(text, at);
+  if (next_line(text, at) != "70") return std::nullopt;
+  return unit_m(std::strtol(std::string(next_line(text, at)).c_str(), nullptr, 10));
+}
+
+}  // namespace mapwright::converter

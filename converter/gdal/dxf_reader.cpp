@@ -1,0 +1,174 @@
+#include "converter/gdal/dxf_reader.hpp"
+
+#include <cpl_conv.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "converter/gdal/dxf_header.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+// GDAL draws arcs as chords of this angle: on a circle of 250 m they stay nearer than 1 cm.
+constexpr const char* kArcStep_deg = "1";
+
+// A drawing of a place a robot drives in is not smaller, and hardly larger.
+constexpr double kLeastPlace_m = 2.0;
+constexpr double kGreatestPlace_m = 1.0e5;
+
+constexpr std::array<const char*, 4> kCurves{"AcDbCircle", "AcDbArc", "AcDbEllipse", "AcDbSpline"};
+
+const std::string* text_of(const SourceFeature& feature, std::size_t field) {
+  return field < feature.values.size() ? std::get_if<std::string>(&feature.values[field]) : nullptr;
+}
+
+std::size_t position_of(const std::vector<std::string>& fields, const std::string& name) {
+  return static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin());
+}
+
+std::string number(double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.6g", value);
+  return buffer.data();
+}
+
+// The whole drawing is one layer of GDAL's: where each feature belongs is found out once.
+class DxfReader : public SourceReader {
+ public:
+  DxfReader(const GdalInput& input, std::unique_ptr<SourceReader> drawing)
+      : title_(input.title), drawing_(std::move(drawing)) {
+    const auto& fields = drawing_->layers()[0].fields;
+    layer_field_ = position_of(fields, "Layer");
+    class_field_ = position_of(fields, "SubClasses");
+  }
+
+  Result<void> sort(std::optional<double> stated_unit_m) {
+    std::map<std::string, Found> found;
+    ReadOptions options;
+    options.keep_broken = true;  // whether that is allowed is decided when the layer is read
+    const auto count = drawing_->read(0, options, [&](SourceFeature& feature) {
+      auto& layer = found[layer_of(feature)];
+      ++layer.features;
+      for (std::size_t i = 0; i < feature.geometry.xs.size(); ++i) {
+        layer.box.add({feature.geometry.xs[i], feature.geometry.ys[i]});
+      }
+    });
+    if (!count) return tl::unexpected(count.error());
+    Box all = kEmptyBox;
+    for (const auto& [name, layer] : found) {
+      add_layer(name, layer);
+      if (layer.box.is_empty()) continue;
+      all.add({layer.box.min_x, layer.box.min_y});
+      all.add({layer.box.max_x, layer.box.max_y});
+    }
+    drawing_->take_warnings();  // they come again with the layers
+    if (stated_unit_m && !all.is_empty()) set_unit(*stated_unit_m, all);
+    return {};
+  }
+
+  const std::string& driver() const override { return drawing_->driver(); }
+  const std::vector<LayerInfo>& layers() const override { return layers_; }
+  std::vector<std::string> take_warnings() override {
+    auto warnings = drawing_->take_warnings();
+    warnings.insert(warnings.begin(), warnings_.begin(), warnings_.end());
+    warnings_.clear();
+    return warnings;
+  }
+
+  Result<std::optional<Box>> extent(std::size_t layer) override {
+    return boxes_[layer].is_empty() ? std::nullopt : std::optional(boxes_[layer]);
+  }
+
+  Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
+                           const FeatureVisitor& visit) override {
+    std::size_t count = 0;
+    ReadOptions whole = options;
+    whole.fields.clear();  // which layer a feature is of is one of its fields
+    const auto read = drawing_->read(0, whole, [&](SourceFeature& feature) {
+      if (layer_of(feature) != layers_[layer].name) return;
+      mark_curves(feature);
+      ++count;
+      visit(feature);
+    });
+    if (!read) return tl::unexpected(read.error());
+    return count;
+  }
+
+ private:
+  struct Found {
+    std::size_t features = 0;
+    Box box = kEmptyBox;
+  };
+
+  std::string layer_of(const SourceFeature& feature) const {
+    const auto* name = text_of(feature, layer_field_);
+    return name == nullptr || name->empty() ? "0" : *name;
+  }
+
+  void mark_curves(SourceFeature& feature) const {
+    const auto* classes = text_of(feature, class_field_);
+    if (classes == nullptr) return;
+    const bool curved = std::any_of(kCurves.begin(), kCurves.end(), [&](const char* name) {
+      return classes->find(name) != classes->npos;
+    });
+    if (!curved) return;
+    for (auto& path : feature.geometry.paths) path.curved = path.role != PathRole::kPoint;
+  }
+
+  void add_layer(const std::string& name, const Found& found) {
+    LayerInfo info = drawing_->layers()[0];
+    info.name = name;
+    info.declared_features = static_cast<std::int64_t>(found.features);
+    info.chains_lines = true;
+    layers_.push_back(std::move(info));
+    boxes_.push_back(found.box);
+  }
+
+  void set_unit(double unit_m, const Box& box) {
+    const double drawn = std::max(box.width(), box.height());
+    const double reach_m = drawn * unit_m;
+    const bool can_be = reach_m >= kLeastPlace_m && reach_m <= kGreatestPlace_m;
+    if (can_be || drawn == 0.0) {
+      for (auto& layer : layers_) layer.metres_per_local_unit = unit_m;
+      return;
+    }
+    warnings_.push_back(title_ + ": its $INSUNITS says that a unit is " + number(unit_m) +
+                        " m, which would make it " + number(reach_m) +
+                        " m wide: the unit is not believed, coordinates count as metres");
+  }
+
+  std::string title_;
+  std::unique_ptr<SourceReader> drawing_;
+  std::size_t layer_field_ = 0;
+  std::size_t class_field_ = 0;
+  std::vector<LayerInfo> layers_;
+  std::vector<Box> boxes_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+bool is_dxf(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".dxf";
+}
+
+OpenedReader open_dxf(const GdalInput& input, const DriverNotice& notice) {
+  CPLSetConfigOption("OGR_ARC_STEPSIZE", kArcStep_deg);
+  auto drawing = open_gdal(input, notice);
+  if (!drawing || (*drawing)->driver() != "DXF") return drawing;
+  auto reader = std::make_unique<DxfReader>(input, *std::move(drawing));
+  if (auto sorted = reader->sort(dxf_metres_per_unit(input.path)); !sorted) {
+    return tl::unexpected(sorted.error());
+  }
+  if (reader->layers().empty()) return input_failure(input.title + ": the drawing is empty");
+  return reader;
+}
+
+}  // namespace mapwright::converter
