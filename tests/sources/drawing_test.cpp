@@ -1,10 +1,12 @@
 // Drawings and OSM tags, from file to map.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mapcore/text/reader.hpp"
 #include "tests/cli/program_run.hpp"
+#include "tests/support/data.hpp"
 
 namespace mapwright {
 namespace {
@@ -144,6 +146,41 @@ TEST_F(OsmTags, BarriersHaveTheirUsualHeights) {
   EXPECT_EQ(
       convert_way(tag("barrier", "wall") + tag("height", "7 m")).obstacles[0].segments[0].height_m,
       7.0);
+}
+
+class Cadastre : public testing::Test {
+ protected:
+  // Heights of the obstacles, lowest first.
+  std::vector<double> heights(const std::string& source, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"convert", test::real_data(source).string(),
+                                       "-o",      folder_.path("map.txt"),
+                                       "--rules", "cadastre"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    std::vector<double> heights;
+    const auto map = read_map(text_of(folder_.path("map.txt"))).map;
+    for (const auto& obstacle : map.obstacles) heights.push_back(obstacle.segments[0].height_m);
+    std::sort(heights.begin(), heights.end());
+    return heights;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Cadastre, ReadsInspireStoreys) {
+  MAPWRIGHT_REQUIRE_REAL_DATA("1_gis/catastro/buildingpart.gml");
+  const auto all = heights("1_gis/catastro/buildingpart.gml", {});
+  ASSERT_EQ(all.size(), 25U);
+  EXPECT_EQ(all.front(), 3.0);
+  EXPECT_EQ(all.back(), 6.0) << "two storeys";
+}
+
+TEST_F(Cadastre, LeavesOutWhatIsNotOnTheGround) {
+  MAPWRIGHT_REQUIRE_REAL_DATA("1_gis/bgt_rotterdam/bgt_scheiding.sqlite");
+  const auto all =
+      heights("1_gis/bgt_rotterdam/bgt_scheiding.sqlite", {"--allow-driver", "SQLite"});
+  EXPECT_EQ(all.size(), 53U) << "57 walls, 4 of them on a bridge";
 }
 
 }  // namespace
