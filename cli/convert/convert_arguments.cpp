@@ -111,7 +111,7 @@ void ConvertArguments::check_frame() {
   }
 }
 
-void ConvertArguments::check(const po::variables_map&) {
+void ConvertArguments::check(const po::variables_map& values) {
   if (output_.empty() && !explain_rules_)
     fail_usage("-o MAP.txt is missing: where shall the map go?");
   if (watch_ && (output_ == "-" || explain_rules_)) {
@@ -125,6 +125,7 @@ void ConvertArguments::check(const po::variables_map&) {
     if (options_.bbox->is_empty()) fail_usage("--bbox: X1 must not exceed X2, nor Y1 Y2");
   }
   options_.resolution_m = parse_number("resolution", resolution_);
+  options_.resolution_is_given = !values["resolution"].defaulted();
   if (options_.resolution_m < 1e-9 || options_.resolution_m > 10.0) {
     fail_usage("--resolution: expected metres between 1e-9 and 10, got " + resolution_);
   }

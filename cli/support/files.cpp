@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -60,9 +61,41 @@ void forget(const std::string& path) {
   }
 }
 
+// One entry of a folder as the kernel hands it out (getdents64(2)).
+struct FolderEntry {
+  std::uint64_t inode;
+  std::int64_t offset;
+  unsigned short length;
+  unsigned char type;
+  char name[1];
+};
+
+// Empties and removes a folder that holds files only. Allocates nothing, as a signal handler must:
+// opendir(3) does.
+void remove_folder(const char* path) {
+  const int folder = ::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  alignas(FolderEntry) std::array<char, 4096> buffer;
+  while (true) {
+    const long bytes = ::syscall(SYS_getdents64, folder, buffer.data(), buffer.size());
+    if (bytes <= 0) break;
+    for (long at = 0; at < bytes;) {
+      const auto* entry = reinterpret_cast<const FolderEntry*>(buffer.data() + at);
+      ::unlinkat(folder, static_cast<const char*>(entry->name), 0);
+      at += entry->length;
+    }
+  }
+  ::close(folder);
+  ::rmdir(path);
+}
+
+void remove_temporary(const char* path) {
+  if (::unlink(path) != 0 && (errno == EISDIR || errno == EPERM)) remove_folder(path);
+}
+
 extern "C" void on_interrupt(int signal) {
   for (auto& slot : open_temporaries) {
-    if (slot.used.load()) ::unlink(slot.path.data());
+    if (slot.used.load()) remove_temporary(slot.path.data());
   }
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -137,6 +170,42 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   out.close();
   if (!out) fail_output(path, "cannot be written: " + system_reason());
   temporary.commit();
+}
+
+TemporaryFolder::TemporaryFolder(const std::string& target) : target_(through_links(target)) {
+  const fs::path path(target_);
+  std::error_code error;
+  if (!path.parent_path().empty() && !fs::is_directory(path.parent_path(), error)) {
+    fail_output(target, "cannot be written: there is no folder " + path.parent_path().string());
+  }
+  std::string pattern = (path.parent_path() / ("." + path.stem().string() + ".XXXXXX")).string();
+  if (::mkdtemp(pattern.data()) == nullptr) {
+    fail_output(target, "cannot be written: " + system_reason());
+  }
+  path_ = pattern;
+  remember(path_);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code error;
+  fs::remove_all(path_, error);
+  forget(path_);
+}
+
+void TemporaryFolder::commit(const std::vector<std::string>& names) {
+  const fs::path folder = fs::path(target_).parent_path();
+  std::error_code error;
+  for (const auto& name : names) {
+    if (fs::is_directory(folder / name, error)) {
+      fail_output((folder / name).string(), "is a folder, not a file");
+    }
+  }
+  for (const auto& name : names) {
+    const std::string to = (folder / name).string();
+    if (::rename((fs::path(path_) / name).c_str(), to.c_str()) != 0) {
+      fail_output(to, "cannot be written: " + system_reason());
+    }
+  }
 }
 
 TemporaryFile::TemporaryFile(std::string target) : target_(through_links(std::move(target))) {

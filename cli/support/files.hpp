@@ -4,6 +4,7 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace mapwright::cli {
 
@@ -32,6 +33,27 @@ class TemporaryFile {
   std::string target_;
   std::string path_;
   bool committed_ = false;
+};
+
+/// A folder beside a target in which another library writes files of a set. Each gets its place
+/// beside the target when committed; whatever is left is removed, also on SIGINT and SIGTERM.
+class TemporaryFolder {
+ public:
+  /// Throws Error (kOutput) where no folder can be made beside `target`.
+  explicit TemporaryFolder(const std::string& target);
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+
+  const std::string& path() const { return path_; }
+
+  /// Renames files of these names to the target's folder, one after the other. Throws Error
+  /// (kOutput) before the first where one cannot stand there.
+  void commit(const std::vector<std::string>& names);
+
+ private:
+  std::string target_;
+  std::string path_;
 };
 
 /// Removes temporary files when the program is interrupted.

@@ -23,6 +23,22 @@ Result<std::optional<Georeference>> read_sidecar(const std::string& map_path) {
   return *std::move(georeference);
 }
 
+Georeference moved(Georeference georeference, const std::string& from_map,
+                   const std::string& to_map) {
+  namespace fs = std::filesystem;
+  const fs::path from = fs::path(from_map).parent_path(), to = fs::path(to_map).parent_path();
+  if (from == to) return georeference;
+  for (auto& source : georeference.sources) {
+    const fs::path path(source.path);
+    if (source.path.empty() || path.is_absolute()) continue;
+    std::error_code error;
+    const fs::path there =
+        fs::relative(from.empty() ? path : from / path, to.empty() ? fs::path(".") : to, error);
+    if (!error && !there.empty()) source.path = there.generic_string();
+  }
+  return georeference;
+}
+
 MapDocument read_sound_map_file(const std::string& path) {
   MapDocument document = read_map_file(path);
   const auto is_error = [](const Finding& finding) { return finding.severity == Severity::kError; };

@@ -23,4 +23,8 @@ Result<std::optional<Georeference>> read_sidecar(const std::string& map_path);
 /// names the first.
 MapDocument read_sound_map_file(const std::string& path);
 
+/// The sidecar of a map that is written somewhere else: paths of sources are relative to it.
+Georeference moved(Georeference georeference, const std::string& from_map,
+                   const std::string& to_map);
+
 }  // namespace mapwright::cli

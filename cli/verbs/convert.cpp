@@ -79,7 +79,7 @@ class Convert : public Verb {
     files.write_report(conversion.ledger);
     files.commit_report();
     if (const auto refused = refusal(conversion, console)) return *refused;
-    return write(std::move(conversion), options.resolution_m, files, console);
+    return write(std::move(conversion), files, console);
   }
 
   // Why no map is written although the sources could be read.
@@ -103,11 +103,11 @@ class Convert : public Verb {
     return std::nullopt;
   }
 
-  ExitStatus write(converter::Conversion conversion, double resolution_m, ConvertedFiles& files,
+  ExitStatus write(converter::Conversion conversion, ConvertedFiles& files,
                    Console& console) const {
     const std::string size = std::to_string(conversion.map.obstacles.size()) + " obstacles, " +
                              std::to_string(segment_count(conversion.map)) + " segments";
-    auto findings = files.write_map(std::move(conversion.map), resolution_m, console);
+    auto findings = files.write_map(std::move(conversion.map), conversion.resolution_m, console);
     if (!findings.empty()) {
       converter::ObstacleSources(conversion.ledger).name_features(findings);
     }

@@ -52,6 +52,7 @@ void seal() {
   CPLSetConfigOption("OGR_GEOJSON_MAX_OBJ_SIZE", "2000");
   CPLSetConfigOption("OSM_USE_CUSTOM_INDEXING", "NO");  // takes nodes in any order
   CPLSetConfigOption("GML_SKIP_CORRUPTED_FEATURES", "NO");
+  CPLSetConfigOption("DXF_INCLUDE_RAW_CODE_VALUES", "YES");  // what `export` wrote of an entity
   CPLSetConfigOption("CPL_TMPDIR", std::filesystem::temp_directory_path().c_str());
 }
 

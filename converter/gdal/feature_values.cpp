@@ -17,6 +17,15 @@ std::string as_utf8(const OGRFeature& from, int field, SourceFeature& feature) {
   return utf8;
 }
 
+// GDAL's own text of a list is cut after 80 characters.
+std::string joined(char** texts) {
+  std::string all;
+  for (; texts != nullptr && *texts != nullptr; ++texts) {
+    all += (all.empty() ? "" : " ") + std::string(*texts);
+  }
+  return all;
+}
+
 FieldValue value_of(const OGRFeature& from, int field, SourceFeature& feature) {
   if (from.IsFieldSetAndNotNull(field) == 0) return {};
   switch (from.GetFieldDefnRef(field)->GetType()) {
@@ -25,6 +34,8 @@ FieldValue value_of(const OGRFeature& from, int field, SourceFeature& feature) {
       return std::int64_t{from.GetFieldAsInteger64(field)};
     case OFTReal:
       return from.GetFieldAsDouble(field);
+    case OFTStringList:
+      return joined(from.GetFieldAsStringList(field));
     default:
       return as_utf8(from, field, feature);
   }

@@ -29,9 +29,13 @@ std::vector<const char*> null_terminated(const std::vector<std::string>& texts) 
 
 // Options that keep drivers from locking the source and from writing beside it. Each driver takes
 // its own and would warn of the others', so the warnings about them are dropped by the caller.
-constexpr const char* kOpenOptions[] = {"NOLOCK=YES",           "WRITE_GFS=NO",
-                                        "LIST_ALL_TABLES=NO",   "AUTODETECT_TYPE=YES",
-                                        "KEEP_GEOM_COLUMNS=NO", nullptr};
+constexpr const char* kOpenOptions[] = {"NOLOCK=YES",
+                                        "WRITE_GFS=NO",
+                                        "LIST_ALL_TABLES=NO",
+                                        "AUTODETECT_TYPE=YES",
+                                        "KEEP_GEOM_COLUMNS=NO",
+                                        "DATE_AS_STRING=YES",
+                                        nullptr};
 
 bool is_about_open_options(const std::string& warning) {
   return warning.find("open option") != warning.npos;

@@ -10,6 +10,7 @@
 #include "converter/frame/frame_wkt.hpp"
 #include "converter/pipeline/assembly.hpp"
 #include "converter/pipeline/chained_lines.hpp"
+#include "converter/pipeline/exported_sources.hpp"
 #include "converter/pipeline/layer_converter.hpp"
 #include "converter/pipeline/leaning_walls.hpp"
 #include "converter/pipeline/sources.hpp"
@@ -22,17 +23,41 @@ namespace {
 
 constexpr double kFarFromOrigin_m = 50000.0;
 
-Result<std::optional<Georeference>> resolve(const ConvertOptions& options,
-                                            const OpenedSources& sources) {
-  const bool has_origin = !options.frame.origin.empty();
-  if (options.local && !has_origin) return std::optional<Georeference>();
+// An export of a map without a place on Earth stays without one.
+Result<void> check_all_local(const OpenedSources& sources) {
+  for (const auto& job : sources.jobs) {
+    if (!job.crs.is_stated()) continue;
+    return input_failure(job.source->path() + ": layer " + job.info().name + " is in " +
+                         job.crs.title() +
+                         ", but another source is the export of a map without a place on Earth: "
+                         "give that one by --origin and --heading, or take both as metres of the "
+                         "map with --local");
+  }
+  return {};
+}
+
+Result<Georeference> georeference_of(const ConvertOptions& options, const OpenedSources& sources) {
+  if (sources.frame && sources.frame->georeference && keeps_recorded_frame(options)) {
+    return *sources.frame->georeference;
+  }
   GeoPoint fallback;
-  if (!has_origin) {
+  if (options.frame.origin.empty()) {
     const auto center = center_of(sources, options.swap_axes);
     if (!center) return tl::unexpected(center.error());
     fallback = *center;
   }
-  auto georeference = resolve_frame(options.frame, fallback.latitude_deg, fallback.longitude_deg);
+  return resolve_frame(options.frame, fallback.latitude_deg, fallback.longitude_deg);
+}
+
+Result<std::optional<Georeference>> resolve(const ConvertOptions& options,
+                                            const OpenedSources& sources) {
+  const bool has_origin = !options.frame.origin.empty();
+  const bool is_local = options.local || (sources.frame && !sources.frame->georeference);
+  if (is_local && !has_origin) {
+    if (auto checked = check_all_local(sources); !checked) return tl::unexpected(checked.error());
+    return std::optional<Georeference>();
+  }
+  auto georeference = georeference_of(options, sources);
   if (!georeference) return tl::unexpected(georeference.error());
   georeference->wkt2 = frame_wkt2(*georeference);
   for (const auto& job : sources.jobs) {
@@ -95,16 +120,18 @@ std::size_t open_account(const LayerJob& job, const ConvertOptions& options, Led
 Result<void> convert_layers(const ConvertOptions& options, const OpenedSources& sources,
                             const std::optional<LocalFrame>& frame, Workspace& workspace) {
   StairsCollector stairs(workspace);
+  ExportedObstacles exported(workspace);
   Transforms transforms(frame, options.local_unit_m);
   for (const auto& job : sources.jobs) {
     const auto transform = transforms.of(job);
     if (!transform) return tl::unexpected(transform.error());
     const std::size_t source = open_account(job, options, workspace.ledger);
-    auto done = LayerConverter(options, job, *transform, source, workspace, stairs).run();
+    auto done = LayerConverter(options, job, *transform, source, workspace, stairs, exported).run();
     if (!done) return done;
     workspace.ledger.sources[source].warnings = job.source->warnings();
   }
   stairs.finish();
+  exported.finish();
   return {};
 }
 
@@ -163,9 +190,14 @@ std::vector<bool> layers_to_chain(const OpenedSources& sources) {
 
 }  // namespace
 
-Result<Conversion> convert(const ConvertOptions& options) {
-  const auto sources = open_sources(options);
+Result<Conversion> convert(const ConvertOptions& given) {
+  const auto sources = open_sources(given);
   if (!sources) return tl::unexpected(sources.error());
+  ConvertOptions options = given;
+  const auto& recorded = (*sources)->frame;
+  if (!given.resolution_is_given && recorded && recorded->resolution_m) {
+    options.resolution_m = *recorded->resolution_m;
+  }
   auto georeference = resolve(options, **sources);
   if (!georeference) return tl::unexpected(georeference.error());
   std::optional<LocalFrame> frame;
@@ -182,6 +214,7 @@ Result<Conversion> convert(const ConvertOptions& options) {
 
   Conversion conversion;
   conversion.map = assemble(workspace);
+  conversion.resolution_m = options.resolution_m;
   conversion.georeference = *std::move(georeference);
   conversion.ledger = std::move(workspace.ledger);
   conversion.warnings = warnings_of(options, **sources, conversion.georeference, conversion.map);

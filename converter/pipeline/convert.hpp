@@ -30,6 +30,7 @@ struct ConvertOptions {
   bool local = false;                  ///< coordinates are those of the map frame, in
   std::optional<double> local_unit_m;  ///< this unit; nothing: the source's own, or metres
   double resolution_m = tolerance::kResolution_m;
+  bool resolution_is_given = false;  ///< else an export's own counts
   bool repair = true;
   double snap_m = 0.0;         ///< vertices nearer than this become one; 0: none
   double simplify_m = 0.0;     ///< greatest distance vertices may be left out by; 0: none
@@ -42,7 +43,8 @@ struct ConvertOptions {
 
 struct Conversion {
   Map map;
-  std::optional<Georeference> georeference;  ///< nothing for plain local metres
+  double resolution_m = tolerance::kResolution_m;  ///< that it shall be written at
+  std::optional<Georeference> georeference;        ///< nothing for plain local metres
   Ledger ledger;
   std::vector<std::string> warnings;  ///< about the whole, for the person who converts
 };

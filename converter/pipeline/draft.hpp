@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,13 @@
 
 namespace mapwright::converter {
 
+/// Id and position of an obstacle in the map it was exported from.
+struct Recorded {
+  std::int64_t id = 0;
+  std::size_t place = 0;  ///< which export it comes from
+  std::int64_t position = 0;
+};
+
 /// An obstacle without its final id.
 struct Draft {
   Obstacle obstacle;
@@ -19,6 +27,7 @@ struct Draft {
   std::size_t source = 0;                  ///< position in Ledger::sources
   std::vector<std::size_t> features;       ///< accounts in the ledger that went into it
   std::optional<std::size_t> inner_of;     ///< position of the outer ring's draft
+  std::optional<Recorded> recorded;        ///< of obstacles that `export` wrote
 };
 
 /// What every segment of an obstacle shares.

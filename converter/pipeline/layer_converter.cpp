@@ -41,13 +41,15 @@ bool is_directional(FeatureKind kind) {
 
 LayerConverter::LayerConverter(const ConvertOptions& options, const LayerJob& job,
                                MapTransform transform, std::size_t source, Workspace& workspace,
-                               StairsCollector& stairs)
+                               StairsCollector& stairs, ExportedObstacles& exported)
     : options_(options),
       job_(job),
       transform_(std::move(transform)),
       source_(source),
       workspace_(workspace),
       stairs_(stairs),
+      exported_(exported),
+      exchange_(job.info().fields),
       ramps_(workspace),
       rules_(*job.rules, job.info()) {}
 
@@ -83,6 +85,11 @@ void LayerConverter::convert(SourceFeature& feature) {
   build({feature, meaning_, account, source_, grid_north_});
 }
 
+bool LayerConverter::is_exported_obstacle(const SourceFeature& feature) {
+  rules_.interpret(feature, geometry_kind(feature.geometry), meaning_);
+  return meaning_.rule != nullptr && meaning_.rule->kind == FeatureKind::kObstacle;
+}
+
 // Whether there is anything to convert.
 bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) {
   auto& ledger = workspace_.ledger;
@@ -104,6 +111,7 @@ bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) 
     }
     return true;
   }
+  if (is_exported_obstacle(feature)) return true;  // one without segments
   if (!geometry.unsupported.empty()) {
     ledger.drop(account, FindingCode::C207, "no obstacle can stand for a " + geometry.unsupported);
   } else {
@@ -151,6 +159,13 @@ bool LayerConverter::check_degrees(const SourceFeature& feature) {
   return true;
 }
 
+// Exported coordinates must round to what they were; a map that is finer than the quick way is
+// exact goes point by point.
+void LayerConverter::place_exactly(std::span<double> xs, std::span<double> ys) {
+  constexpr double kFine_m = 10.0 * TransformPatches::kBound_m;
+  options_.resolution_m < kFine_m ? transform_.apply_exactly(xs, ys) : transform_.apply(xs, ys);
+}
+
 // Takes the geometry into the map frame.
 bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   auto& geometry = feature.geometry;
@@ -161,6 +176,10 @@ bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   }
   if (options_.swap_axes) std::swap(geometry.xs, geometry.ys);
   if (!check_degrees(feature)) return false;
+  if (meaning_.rule->kind == FeatureKind::kObstacle) {
+    place_exactly(geometry.xs, geometry.ys);
+    return true;
+  }
   if (is_directional(meaning_.rule->kind)) {
     grid_north_ = transform_.grid_north(geometry.xs.front(), geometry.ys.front());
   }
@@ -184,7 +203,8 @@ bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
 
 // Whether the robot can meet it.
 bool LayerConverter::keeps(const SourceFeature& feature, std::size_t account) {
-  if (options_.bbox && !meet(*options_.bbox, extent_of(feature.geometry))) {
+  const bool has_place = !feature.geometry.xs.empty();
+  if (options_.bbox && has_place && !meet(*options_.bbox, extent_of(feature.geometry))) {
     workspace_.ledger.drop(account, FindingCode::C213, "outside of --bbox");
     return false;
   }
@@ -207,6 +227,7 @@ void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t
     ledger.change(account, FindingCode::C226,
                   "field " + field + " was not UTF-8 and was read as ISO-8859-1");
   }
+  if (meaning_.rule->kind == FeatureKind::kObstacle) return;
   if (meaning_.semantic_altered) {
     ledger.change(account, FindingCode::C215,
                   "characters the map format reserves were replaced in the semantic string");
@@ -223,6 +244,9 @@ void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t
 
 void LayerConverter::build(const FeatureTask& task) {
   switch (task.meaning.rule->kind) {
+    case FeatureKind::kObstacle:
+      exchange_.load(task.feature);
+      return exported_.add(task, exchange_, job_.place);
     case FeatureKind::kSolid:
     case FeatureKind::kRoom:
       return add_solid(task, workspace_);

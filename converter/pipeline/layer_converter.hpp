@@ -2,6 +2,7 @@
 #pragma once
 
 #include "converter/pipeline/axis_suspicion.hpp"
+#include "converter/pipeline/exported_obstacles.hpp"
 #include "converter/pipeline/ramps.hpp"
 #include "converter/pipeline/sources.hpp"
 #include "converter/pipeline/stairs.hpp"
@@ -13,7 +14,8 @@ class LayerConverter {
  public:
   /// Borrows everything else; `source` is the layer's position in the ledger.
   LayerConverter(const ConvertOptions& options, const LayerJob& job, MapTransform transform,
-                 std::size_t source, Workspace& workspace, StairsCollector& stairs);
+                 std::size_t source, Workspace& workspace, StairsCollector& stairs,
+                 ExportedObstacles& exported);
 
   /// Reads the layer to its end. Fails where it cannot be read, or its coordinates cannot be what
   /// its CRS says.
@@ -21,8 +23,10 @@ class LayerConverter {
 
  private:
   void convert(SourceFeature& feature);
+  bool is_exported_obstacle(const SourceFeature& feature);
   bool selects(const SourceFeature& feature, std::size_t account);
   bool interprets(const SourceFeature& feature, std::size_t account);
+  void place_exactly(std::span<double> xs, std::span<double> ys);
   bool places(SourceFeature& feature, std::size_t account);
   bool keeps(const SourceFeature& feature, std::size_t account);
   void tell_about_values(const SourceFeature& feature, std::size_t account);
@@ -35,6 +39,8 @@ class LayerConverter {
   std::size_t source_;
   Workspace& workspace_;
   StairsCollector& stairs_;
+  ExportedObstacles& exported_;
+  ExchangeFields exchange_;
   RampCollector ramps_;
   LayerRules rules_;
   AxisSuspicion suspicion_;

@@ -14,7 +14,7 @@ bool is_ring(const Draft& draft) {
 }
 
 bool is_wall(const Draft& draft) {
-  return is_open_chain(draft.obstacle.shape_type);
+  return draft.kind != FeatureKind::kObstacle && is_open_chain(draft.obstacle.shape_type);
 }
 
 bool meet(const Box& p, const Box& q) {

@@ -8,6 +8,7 @@
 
 #include "converter/detective/unstated_crs.hpp"
 #include "converter/gdal/archive.hpp"
+#include "converter/pipeline/exported_sources.hpp"
 #include "converter/rules/rule_reader.hpp"
 
 namespace mapwright::converter {
@@ -78,21 +79,46 @@ Result<UserCrs> user_crs(const ConvertOptions& options) {
   return UserCrs{*std::move(fallback), *std::move(instead)};
 }
 
-Result<void> append_jobs(VectorSource& source, const ConvertOptions& options, const UserCrs& said,
+Result<void> open_source(const std::string& path, const ConvertOptions& options,
+                         OpenedSources& opened) {
+  auto source = VectorSource::open(path, {options.extra_drivers});
+  if (!source) return tl::unexpected(source.error());
+  opened.sources.push_back(std::make_unique<VectorSource>(*std::move(source)));
+  auto frame = recorded_frame(*opened.sources.back());
+  if (!frame) return tl::unexpected(frame.error());
+  opened.frames.push_back(*frame);
+  if (!*frame) return {};
+  if (!opened.frame) opened.frame = *frame;
+  const std::string lines = lines_beside(*opened.sources.back(), options);
+  if (lines.empty()) return {};
+  auto more = open_source(lines, options, opened);
+  if (more) opened.frames.back() = *frame;
+  return more;
+}
+
+Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame>& frame,
+                         const ConvertOptions& options, const UserCrs& said,
                          OpenedSources& opened) {
   for (std::size_t i = 0; i < source.layers().size(); ++i) {
     const auto& layer = source.layers()[i];
     if (!is_asked_for(layer, options.layers)) continue;
     LayerJob job{&source, i, layer.crs, place_of(source), &options.rules};
     if (options.rules_are_guessed && source.driver() == "OSM") job.rules = &opened.osm_rules;
+    if (is_exported(layer)) job.place = place_of_export(source, layer);
+    if (options.rules_are_guessed && (frame || is_exported(layer))) {
+      job.rules = &opened.mapwright_rules;
+    }
+    if (frame) {
+      if (auto taken = take_recorded(*frame, options, opened, job); !taken) return taken;
+    }
     if (options.local)
       job.crs = {};
     else if (said.instead.is_stated())
       job.crs = said.instead;
-    else if (!job.crs.is_stated())
+    else if (!job.crs.is_stated() && !job.is_map_frame)
       job.crs = said.fallback;
     const bool has_places = layer.geometry != GeometryKind::kNone;
-    if (!options.local && has_places && !job.crs.is_stated()) {
+    if (!options.local && !job.is_map_frame && has_places && !job.crs.is_stated()) {
       return tl::unexpected(without_crs(source, layer, opened));
     }
     opened.jobs.push_back(std::move(job));
@@ -142,18 +168,22 @@ Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& option
   auto osm = read_rules(std::string(builtin_rules("osm")), "osm");
   if (!osm) return tl::unexpected(osm.error());
   opened->osm_rules = *std::move(osm);
+  auto ours = read_rules(std::string(builtin_rules("mapwright")), "mapwright");
+  if (!ours) return tl::unexpected(ours.error());
+  opened->mapwright_rules = *std::move(ours);
   const auto said = user_crs(options);
   if (!said) return tl::unexpected(said.error());
   for (const auto& path : options.sources) {
-    auto source = VectorSource::open(path, {options.extra_drivers});
-    if (!source) return tl::unexpected(source.error());
-    opened->sources.push_back(std::make_unique<VectorSource>(*std::move(source)));
+    if (auto done = open_source(path, options, *opened); !done) {
+      return tl::unexpected(done.error());
+    }
   }
   if (auto checked = check_layer_names(*opened, options.layers); !checked) {
     return tl::unexpected(checked.error());
   }
-  for (const auto& source : opened->sources) {
-    if (auto done = append_jobs(*source, options, *said, *opened); !done) {
+  for (std::size_t i = 0; i < opened->sources.size(); ++i) {
+    auto done = append_jobs(*opened->sources[i], opened->frames[i], options, *said, *opened);
+    if (!done) {
       return tl::unexpected(done.error());
     }
   }

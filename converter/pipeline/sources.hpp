@@ -9,6 +9,7 @@
 #include "converter/gdal/vector_source.hpp"
 #include "converter/pipeline/convert.hpp"
 #include "converter/pipeline/map_transform.hpp"
+#include "converter/pipeline/recorded_frame.hpp"
 #include "converter/rules/layer_rules.hpp"
 
 namespace mapwright::converter {
@@ -20,6 +21,7 @@ struct LayerJob {
   Crs crs;                ///< the layer's own, or --source-crs; none for --local
   std::string place;      ///< what its stair ids are unique within
   const RuleSet* rules = nullptr;
+  bool is_map_frame = false;  ///< metres of the map that was exported
 
   const LayerInfo& info() const { return source->layers()[layer]; }
 };
@@ -27,7 +29,9 @@ struct LayerJob {
 struct OpenedSources {
   std::vector<std::unique_ptr<VectorSource>> sources;
   std::vector<LayerJob> jobs;
-  RuleSet osm_rules;
+  RuleSet osm_rules, mapwright_rules;
+  std::vector<std::optional<RecordedFrame>> frames;  ///< by source; of those that are exports
+  std::optional<RecordedFrame> frame;                ///< the first of them
 };
 
 /// Opens all sources and picks the layers asked for. Fails for unknown layer names (kUsage) and

@@ -1,6 +1,7 @@
 // What the builders of one conversion share.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct Workspace {
   bool repair = true;
   std::vector<Draft> drafts;
   Ledger ledger;
-  Box border = kEmptyBox;  ///< drawn by features of kind border
+  Box border = kEmptyBox;                 ///< drawn by features of kind border
+  std::optional<Border> exported_border;  ///< as `export` wrote it; counts before the drawn one
 };
 
 /// A feature in the map frame, with what its rule makes of it.

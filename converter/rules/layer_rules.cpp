@@ -223,7 +223,10 @@ void LayerRules::interpret(const SourceFeature& feature, GeometryKind geometry,
 
 std::vector<std::string> LayerRules::fields() const {
   std::vector<std::string> names;
-  for (const auto& bound : impl_->rules) bound.append_fields(names);
+  for (const auto& bound : impl_->rules) {
+    if (bound.rule().kind == FeatureKind::kObstacle) return {};
+    bound.append_fields(names);
+  }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   std::erase(names, "");

@@ -22,7 +22,8 @@ class LayerRules {
   /// The meaning of a feature by the first rule that fits; `meaning` is overwritten.
   void interpret(const SourceFeature& feature, GeometryKind geometry, Meaning& meaning) const;
 
-  /// Fields of the layer that some rule reads.
+  /// Fields of the layer that some rule reads; none, which means all, where obstacles that `export`
+  /// wrote may be among the features.
   std::vector<std::string> fields() const;
 
   /// One line a rule that can match: why it matches the layer and which fields it reads

@@ -10,7 +10,8 @@ struct NamedKind {
   FeatureKind kind;
 };
 
-constexpr std::array<NamedKind, 8> kKinds{{{"solid", FeatureKind::kSolid},
+constexpr std::array<NamedKind, 9> kKinds{{{"obstacle", FeatureKind::kObstacle},
+                                           {"solid", FeatureKind::kSolid},
                                            {"room", FeatureKind::kRoom},
                                            {"wall", FeatureKind::kWall},
                                            {"steps", FeatureKind::kSteps},

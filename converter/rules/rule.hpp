@@ -13,6 +13,7 @@
 namespace mapwright::converter {
 
 enum class FeatureKind : std::uint8_t {
+  kObstacle,  ///< written by `export`
   kSolid,
   kRoom,
   kWall,

@@ -154,8 +154,9 @@ std::vector<GeometryKind> read_geometries(const YAML::Node& node) {
 
 FeatureKind read_kind(const YAML::Node& node) {
   if (const auto kind = feature_kind(yaml_text(node))) return *kind;
-  fail_at(node, "there is no kind '" + node.Scalar() +
-                    "'; the kinds are solid, room, wall, steps, stairs, ramp, border, ignore");
+  fail_at(node,
+          "there is no kind '" + node.Scalar() +
+              "'; the kinds are obstacle, solid, room, wall, steps, stairs, ramp, border, ignore");
 }
 
 NormalAxes read_axes(const YAML::Node& node) {

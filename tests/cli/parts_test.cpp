@@ -1,0 +1,123 @@
+// `mapwright crop` and `merge`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "mapcore/georeference.hpp"
+#include "mapcore/text/reader.hpp"
+#include "tests/cli/program_run.hpp"
+#include "tests/support/data.hpp"
+
+namespace mapwright {
+namespace {
+
+using test::project_file;
+using test::run;
+using test::TemporaryFolder;
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class Parts : public testing::Test {
+ protected:
+  std::string crop(const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"crop", campus_, "-o", folder_.path(name)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return folder_.path(name);
+  }
+
+  TemporaryFolder folder_;
+  const std::string campus_ = project_file("samples/campus/campus.txt").string();
+};
+
+TEST_F(Parts, OfTheCampusMergeToTheCampus) {
+  std::vector<std::string> arguments{"merge", "-o", folder_.path("all.txt")};
+  for (const std::string tile :
+       {"37.5,-1,75.1,45", "0,0,37.5,45", "75.1,0,113,45", "0,45,60,95", "60,45,112,90"}) {
+    arguments.push_back(crop("part" + std::to_string(arguments.size()) + ".txt", {"--bbox", tile}));
+  }
+  const auto result = run(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(content(folder_.path("all.txt")), content(campus_));
+  const auto merged = parse_georeference(content(folder_.path("all.georef.json")));
+  const auto original = parse_georeference(content(sidecar_path(campus_)));
+  ASSERT_TRUE(merged && original);
+  EXPECT_EQ(merged->origin_latitude_deg, original->origin_latitude_deg);
+  EXPECT_EQ(merged->wkt2, original->wkt2);
+  ASSERT_EQ(merged->sources.size(), original->sources.size());
+  for (const auto& source : merged->sources) {
+    EXPECT_TRUE(std::filesystem::exists(folder_.path(source.path))) << source.path;
+  }
+}
+
+TEST_F(Parts, CutOnesAreValidButForStairsAndRampsAcrossTheEdge) {
+  const std::string part = crop("cut.txt", {"--bbox", "20,10,80,70", "--cut"});
+  const Map map = read_map(content(part)).map;
+  EXPECT_EQ(map.border, (Border{20, 70, 80, 10}));
+  EXPECT_GT(map.obstacles.size(), 5U);
+  const auto result = run({"validate", part, "--format", "json"});
+  for (const auto& finding : nlohmann::json::parse(result.out)["maps"][0]["findings"]) {
+    if (finding["severity"] != "error") continue;
+    EXPECT_EQ(finding["code"], "G109") << finding;
+    const auto is_it = [&](const Obstacle& o) { return o.id == finding["obstacle"]; };
+    const auto found = std::find_if(map.obstacles.begin(), map.obstacles.end(), is_it);
+    ASSERT_NE(found, map.obstacles.end());
+    EXPECT_TRUE(found->shape_type == ShapeType::kStairs || found->shape_type == ShapeType::kRamp);
+  }
+}
+
+TEST_F(Parts, DiscGoesToStandardOutput) {
+  const auto result = run({"crop", campus_, "-o", "-", "--circle", "40,30,20"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(read_map(result.out).map.border, (Border{20, 50, 60, 10}));
+}
+
+TEST_F(Parts, RefusesWhatMakesNoSense) {
+  const auto refused = [&](std::vector<std::string> arguments, int status,
+                           const std::string& words) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.status, status) << result.err;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  };
+  const std::string out = folder_.path("out.txt");
+  refused({"crop", campus_, "-o", out}, 2, "either --bbox or --circle");
+  refused({"crop", campus_, "-o", out, "--bbox", "5,5,1,9"}, 2, "--bbox");
+  refused({"crop", campus_, "-o", out, "--bbox", "500,500,510,510"}, 2, "no area in common");
+  refused({"crop", campus_, "-o", out, "--circle", "5,5,0"}, 2, "radius");
+  refused({"crop", campus_, "-o", out, "--circle", "5,5,1", "--cut"}, 2, "--cut");
+  refused({"crop", campus_, "-o", folder_.path("none/o.txt"), "--circle", "5,5,1"}, 4, "folder");
+  refused({"merge", campus_, folder_.path("none.txt"), "-o", out}, 3, "none.txt");
+  const std::string square = project_file("samples/fib_square/fib_square.txt").string();
+  refused({"merge", campus_, square, "-o", out}, 2, "--same-frame");
+  refused({"merge", campus_, "-o", out, "--prefer", "best"}, 2, "--prefer");
+  const std::string other = crop("other.txt", {"--bbox", "0,0,50,50"});
+  std::string sidecar = content(sidecar_path(other));
+  sidecar.replace(sidecar.find("41.63"), 5, "41.64");
+  folder_.file("other.georef.json", sidecar);
+  refused({"merge", campus_, other, "-o", out}, 2, "another frame");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Parts, VersionsOfAnObstacleNeedAChoice) {
+  std::string text = content(campus_);
+  const auto at = text.find("44;82;\n14;1;");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 9, "44;82;\n15");
+  const std::string edited = folder_.file("edited.txt", text);
+  folder_.file("edited.georef.json", content(sidecar_path(campus_)));
+  const auto refused = run({"merge", campus_, edited, "-o", folder_.path("out.txt")});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("obstacle 1 is not the same"), std::string::npos) << refused.err;
+  const auto merged =
+      run({"merge", campus_, edited, "-o", folder_.path("out.txt"), "--prefer", "last"});
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(content(folder_.path("out.txt")), text);
+}
+
+}  // namespace
+}  // namespace mapwright
