@@ -17,10 +17,10 @@ bool has_field(const LayerInfo& layer, std::string_view name) {
                      [&](const std::string& own) { return folded(own) == name; });
 }
 
-// Layers whose border may have to be looked for; of DXF the text that carries fields.
+// Layers in which the border may stand.
 bool may_hold_border(const VectorSource& source, const LayerInfo& layer) {
   if (has_field(layer, field::kVersion)) return true;
-  return source.driver() == "DXF" && has_field(layer, "rawcodevalues");
+  return source.driver() == "DXF" && folded(layer.name) == kBorderShape;
 }
 
 bool is_place(double latitude_deg, double longitude_deg, double heading_deg) {
