@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "navcore/exact/barrier_rounds.hpp"
 #include "navcore/exact/boundary.hpp"
 
 namespace mapwright::navcore::exact {

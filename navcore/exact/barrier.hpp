@@ -8,7 +8,6 @@
 
 #include "navcore/exact/grid_point.hpp"
 #include "navcore/exact/line_work.hpp"
-#include "navcore/exact/medial_rounds.hpp"
 #include "navcore/exact/tessellation.hpp"
 
 namespace mapwright::navcore::exact {
@@ -70,11 +69,6 @@ bool separates_ways_off(const Barrier& barrier, const BarrierEnd& start, const B
 /// `base` is the free space of a point; the lines of `space` have the edges of `base` they keep
 /// away from as source (offset_free_space). For a point robot both are the same object.
 std::optional<Barrier> find_barrier(const Tessellation& base, const Tessellation& space,
-                                    const BarrierEnd& start, const BarrierEnd& goal,
-                                    std::int64_t radius_nm);
-
-/// The same among given rounds of sites, each of which is near to the next (medial_rounds.hpp).
-std::optional<Barrier> find_barrier(const Tessellation& base, const std::vector<SiteRound>& rounds,
                                     const BarrierEnd& start, const BarrierEnd& goal,
                                     std::int64_t radius_nm);
 

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "mapcore/tolerances.hpp"
+#include "navcore/exact/barrier_rounds.hpp"
 #include "navcore/exact/free_faces.hpp"
 #include "navcore/exact/ground.hpp"
 #include "navcore/exact/offset.hpp"

@@ -20,6 +20,12 @@ using namespace mapwright::test;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
+bool has_finding(const Json& map, const std::string& code) {
+  const auto& findings = map["findings"];
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const Json& finding) { return finding["code"] == code; });
+}
+
 class CheckBatch : public testing::Test {
  protected:
   std::vector<std::string> quick(std::vector<std::string> options) const {
@@ -133,13 +139,13 @@ TEST_F(CheckBatch, AHangCostsOneMap) {
   const ProgramRun run = run_process(folder_, endless({"--time-limit", "2", "--format", "json"}));
   EXPECT_EQ(run.status, 1) << run.err;
   const Json maps = Json::parse(run.out)["maps"];
-  EXPECT_EQ(maps[0]["findings"][0]["code"], "N101");
+  EXPECT_TRUE(has_finding(maps[0], "N101"));
   EXPECT_EQ(maps[1]["verdict"], "fail");
   EXPECT_EQ(maps[1]["interrupted"], "time limit");
   EXPECT_NE(run.err.find("longer than 2 s and was stopped; allow it more (--time-limit)"),
             std::string::npos)
       << run.err;
-  EXPECT_EQ(maps[2]["findings"][0]["code"], "N101");
+  EXPECT_TRUE(has_finding(maps[2], "N101"));
   EXPECT_NE(run.err.find("3 maps: 0 fit, 2 not, 1 over a limit"), std::string::npos) << run.err;
 }
 
@@ -154,7 +160,7 @@ TEST_F(CheckBatch, ACrashCostsOneMapAndIsNamed) {
   EXPECT_EQ(maps[1]["interrupted"], "crash");
   EXPECT_NE(run.err.find("b.txt: its check crashed: SIGSEGV"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("please report it with the map"), std::string::npos) << run.err;
-  EXPECT_EQ(maps[2]["findings"][0]["code"], "N101");
+  EXPECT_TRUE(has_finding(maps[2], "N101"));
   EXPECT_EQ(journal_lines(), 2U);
 }
 
@@ -267,7 +273,7 @@ TEST_F(CheckBatch, StandardInputIsAMapLikeOthers) {
   const Json maps = Json::parse(run.out)["maps"];
   ASSERT_EQ(maps.size(), 2U);
   EXPECT_EQ(maps[1]["path"], "<stdin>");
-  EXPECT_EQ(maps[1]["findings"][0]["code"], "N101");
+  EXPECT_TRUE(has_finding(maps[1], "N101"));
 }
 
 }  // namespace
