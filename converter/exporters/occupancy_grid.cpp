@@ -128,14 +128,32 @@ std::vector<Outline> outlines_of(const Map& map, double above_m) {
   return outlines;
 }
 
-// The robot cannot stand between steps: the strips between them are filled.
+// Steps as lines, bottom-up or top-down as the map has them: runs of joined segments of one height.
+std::vector<std::vector<Point>> step_lines(const Obstacle& stairs) {
+  std::vector<std::vector<Point>> lines;
+  const Segment* last = nullptr;
+  for (const auto& s : stairs.segments) {
+    const bool goes_on = last != nullptr && last->b == s.a && last->height_m == s.height_m;
+    if (!goes_on) lines.push_back({s.a});
+    lines.back().push_back(s.b);
+    last = &s;
+  }
+  return lines;
+}
+
+// The robot cannot stand between steps: the strips from one to the next are filled.
 void fill_stairs(const Obstacle& stairs, Grid& grid) {
-  const auto& steps = stairs.segments;
-  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
-    const bool same_way = dot(steps[i].b - steps[i].a, steps[i + 1].b - steps[i + 1].a) > 0.0;
-    const auto& next = steps[i + 1];
-    grid.fill({steps[i].a, steps[i].b, same_way ? next.b : next.a, same_way ? next.a : next.b},
-              kOccupied);
+  const auto lines = step_lines(stairs);
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    std::vector<Point> strip = lines[i];
+    std::vector<Point> next = lines[i + 1];
+    const bool same_way = dot(strip.back() - strip.front(), next.back() - next.front()) > 0.0;
+    if (same_way) std::reverse(next.begin(), next.end());
+    strip.insert(strip.end(), next.begin(), next.end());
+    grid.fill(strip, kOccupied);
+    for (std::size_t k = 0; k < strip.size(); ++k) {
+      grid.draw(strip[k], strip[k + 1 == strip.size() ? 0 : k + 1]);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "tests/cli/program_run.hpp"
 #include "tests/support/data.hpp"
 #include "tests/support/gis_files.hpp"
+#include "tests/support/random_map.hpp"
 #include "tests/support/random_site.hpp"
 
 namespace mapwright {
@@ -138,6 +139,58 @@ TEST(Export, RandomSitesComeBackToTheByte) {
       EXPECT_EQ(
           difference(round_trip(folder, map, format, more), format_map(expected, {resolution})), "")
           << "seed " << seed << " " << format << " " << name;
+    }
+  }
+}
+
+struct Image {
+  std::size_t width = 0, height = 0;
+  std::string cells;
+  char at(std::size_t x, std::size_t row_from_top) const { return cells[row_from_top * width + x]; }
+};
+
+Image read_pgm(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string magic;
+  int most = 0;
+  Image image;
+  in >> magic >> image.width >> image.height >> most;
+  in.get();
+  image.cells.assign(std::istreambuf_iterator<char>(in), {});
+  EXPECT_EQ(magic, "P5");
+  EXPECT_EQ(image.cells.size(), image.width * image.height);
+  return image;
+}
+
+// Whatever the format can hold, numbers beyond all reason included, in metres of its own frame.
+TEST(Export, AnyMapComesBackThroughFormatsWithoutLimits) {
+  const TemporaryFolder folder;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Random random(seed);
+    const Map any = test::random_map(random);
+    if (any.obstacles.empty()) continue;  // nothing to convert
+    const std::string map = folder.file("m.txt", format_map(any));
+    for (const std::string format : {"gpkg", "geojson"}) {
+      EXPECT_EQ(difference(round_trip(folder, map, format), content(map)), "")
+          << seed << " " << format;
+    }
+  }
+}
+
+TEST(Export, OccupancyGridFillsStairs) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file(
+      "m.txt",
+      "border;0;6;6;0;#obstacle;1;5;4;step;#1;1;5;1;0.2;1;;#1;3;3;3;0.4;1;;#3;3;5;3;0.4;1;;#"
+      "5;5;1;5;0;1;;#");
+  ASSERT_EQ(run({"export", map, "-o", folder.path("g.yaml"), "--resolution", "0.5"}).status, 0);
+  const Image grid = read_pgm(folder.path("g.pgm"));
+  for (std::size_t x = 0; x < 12; ++x) {
+    for (std::size_t row = 0; row < 12; ++row) {
+      const bool is_within = x >= 2 && x < 10 && row >= 2 && row < 10;
+      const bool is_away = x < 1 || x > 10 || row < 1 || row > 10;
+      if (is_within) EXPECT_EQ(grid.at(x, row), 0) << x << " " << row;
+      if (is_away) EXPECT_EQ(grid.at(x, row), static_cast<char>(254)) << x << " " << row;
     }
   }
 }
@@ -326,25 +379,6 @@ TEST(Export, OverwritesWhatTheUserNamesAndLeavesNothingElse) {
     files += entry.is_regular_file() ? 1 : 2;
   }
   EXPECT_EQ(files, 1U);
-}
-
-struct Image {
-  std::size_t width = 0, height = 0;
-  std::string cells;
-  char at(std::size_t x, std::size_t row_from_top) const { return cells[row_from_top * width + x]; }
-};
-
-Image read_pgm(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string magic;
-  int most = 0;
-  Image image;
-  in >> magic >> image.width >> image.height >> most;
-  in.get();
-  image.cells.assign(std::istreambuf_iterator<char>(in), {});
-  EXPECT_EQ(magic, "P5");
-  EXPECT_EQ(image.cells.size(), image.width * image.height);
-  return image;
 }
 
 TEST(Export, OccupancyGridShowsWallsInsidesAndWhatTheLaserSees) {
