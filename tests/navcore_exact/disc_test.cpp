@@ -104,7 +104,7 @@ Map boxes(Random& random) {
 TEST(DiscPlanner, IsAsLongAsAPathAmongGrownObstacles) {
   Random random(11);
   int solved = 0, refused = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     const Map map = boxes(random);
     const double radius_m = 0.1 + 0.6 * random.uniform();
     const auto planner = planner_of(map, {.radius_m = radius_m, .tangents_a_quadrant = 32});
