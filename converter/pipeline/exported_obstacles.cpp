@@ -73,6 +73,26 @@ std::optional<std::int64_t> integer_in(const Json& record, std::string_view name
 
 }  // namespace
 
+// Shape, id and semantic string of a hole, where its record says something.
+void ExportedObstacles::take_identity(const nlohmann::ordered_json& record, std::size_t place,
+                                      const Draft& outline, Hole& hole) {
+  auto& obstacle = hole.draft.obstacle;
+  hole.draft.recorded.reset();
+  if (const auto shape = text_in(record, field::kShape)) {
+    obstacle.shape_type = shape_named(*shape).value_or(obstacle.shape_type);
+  }
+  const auto id = integer_in(record, field::kId);
+  const auto position = integer_in(record, field::kPos);
+  if (!outline.recorded || !id || !position) return;
+  hole.draft.recorded = {*id, place, *position};
+  const auto semantic = text_in(record, field::kSemantic);
+  if (!semantic) return;
+  bool altered = false;
+  obstacle.semantic = safe_semantic(*semantic, altered);
+  hole.is_tied =
+      obstacle.semantic.value(semantic_key::kInnerOf) == std::to_string(outline.recorded->id);
+}
+
 std::size_t ExportedObstacles::place_number(const std::string& place) {
   return places_.try_emplace(place, places_.size()).first->second;
 }
@@ -159,6 +179,8 @@ void ExportedObstacles::add_holes(const FeatureTask& task, const ExchangeFields&
   const auto records = hole_records(fields);
   for (std::size_t i = first; i < paths.size() && paths[i].role == PathRole::kInnerRing; ++i) {
     const Json record = i - first < records.size() ? records[i - first] : Json::object();
+    Hole hole{outline.draft, true};
+    take_identity(record, key.first, outline.draft, hole);
     Ring ring = ring_of(task, paths[i], workspace_);
     orient(ring, RingOrientation::kClockwise);
     const bool has_styles = record.contains(field::kHeight);
@@ -168,24 +190,8 @@ void ExportedObstacles::add_holes(const FeatureTask& task, const ExchangeFields&
           return name == field::kRuns ? std::nullopt : fields.text(name);
         },
         ring.size(), workspace_.settings.default_height_m);
-    Hole written{outline.draft, true};
-    Draft& hole = written.draft;
-    if (const auto shape = text_in(record, field::kShape)) {
-      hole.obstacle.shape_type = shape_named(*shape).value_or(hole.obstacle.shape_type);
-    }
-    hole.obstacle.segments = chain(ring, true, edited.styles);
-    hole.recorded.reset();
-    const auto id = integer_in(record, field::kId);
-    const auto position = integer_in(record, field::kPos);
-    const bool is_known = outline.draft.recorded && id && position;
-    if (is_known) hole.recorded = {*id, key.first, *position};
-    if (const auto semantic = text_in(record, field::kSemantic); semantic && is_known) {
-      bool altered = false;
-      hole.obstacle.semantic = safe_semantic(*semantic, altered);
-      written.is_tied = hole.obstacle.semantic.value(semantic_key::kInnerOf) ==
-                        std::to_string(outline.draft.recorded->id);
-    }
-    outline.holes.push_back(std::move(written));
+    hole.draft.obstacle.segments = chain(ring, true, edited.styles);
+    outline.holes.push_back(std::move(hole));
   }
 }
 
@@ -205,6 +211,11 @@ void ExportedObstacles::add_lines(const FeatureTask& task, const ExchangeFields&
       piece.segments.push_back(std::move(segment));
     }
   }
+  add_piece(std::move(draft), std::move(piece), key);
+}
+
+// The next piece of an obstacle that is known already, a new one, or a copy of a piece.
+void ExportedObstacles::add_piece(Draft draft, Piece piece, const Key& key) {
   const auto known = known_.find(key);
   if (draft.recorded && known == known_.end()) {
     known_.emplace(key, Obstacle{std::move(draft), {std::move(piece)}, {}, false});
@@ -215,7 +226,7 @@ void ExportedObstacles::add_lines(const FeatureTask& task, const ExchangeFields&
       draft.recorded && !known->second.is_polygon &&
       std::none_of(known->second.pieces.begin(), known->second.pieces.end(), is_same_part);
   if (belongs) {
-    known->second.draft.features.push_back(task.account);
+    known->second.draft.features.push_back(piece.account);
     known->second.pieces.push_back(std::move(piece));
     return;
   }

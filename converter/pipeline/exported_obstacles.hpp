@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,9 @@ class ExportedObstacles {
                  std::size_t first, const Key& key);
   void add_lines(const FeatureTask& task, const ExchangeFields& fields, Draft draft,
                  const Key& key);
+  void add_piece(Draft draft, Piece piece, const Key& key);
+  static void take_identity(const nlohmann::ordered_json& record, std::size_t place,
+                            const Draft& outline, Hole& hole);
   void say(const FeatureTask& task, bool height_is_missing, bool altered);
   void write(Obstacle& obstacle);
 

@@ -124,6 +124,30 @@ Obstacle Cutter::outline_of(const Ring& ring, const Obstacle& like,
   return piece;
 }
 
+// A hole that nothing was cut off keeps its record.
+const Obstacle* Cutter::untouched_hole(const Ring& ring,
+                                       std::span<const std::size_t> family) const {
+  for (const std::size_t i : family.subspan(1)) {
+    const auto points = chain_points(map_.obstacles[i]);
+    if (std::is_permutation(points.begin(), points.end(), ring.begin(), ring.end())) {
+      return &map_.obstacles[i];
+    }
+  }
+  return nullptr;
+}
+
+void Cutter::append_hole(const Ring& ring, const std::string& outline_id,
+                         std::span<const std::size_t> family, std::vector<Obstacle>& part) {
+  const auto* whole = untouched_hole(ring, family);
+  Obstacle hole =
+      whole != nullptr ? *whole : outline_of(ring, map_.obstacles[family.front()], family);
+  if (whole == nullptr) hole.id = ++last_id_;
+  if (hole.semantic.value(semantic_key::kInnerOf) != outline_id) {
+    hole.semantic = hole.semantic.with_value(semantic_key::kInnerOf, outline_id);
+  }
+  part.push_back(std::move(hole));
+}
+
 void Cutter::cut_solid(std::span<const std::size_t> family, std::vector<Obstacle>& part) {
   std::vector<Ring> rings;
   for (const std::size_t i : family) {
@@ -131,41 +155,20 @@ void Cutter::cut_solid(std::span<const std::size_t> family, std::vector<Obstacle
     if (ring.size() >= 3) rings.push_back(std::move(ring));
   }
   const auto polygons = odd_even_polygons(rings, [this](Point p) { return snapped(p); });
-  const Obstacle& outline = map_.obstacles[family.front()];
   if (!polygons) {  // what cannot be clipped stays whole
     for (const std::size_t i : family) part.push_back(map_.obstacles[i]);
     return;
   }
-  // Holes that nothing was cut off keep their records.
-  const auto untouched = [&](const Ring& ring) -> const Obstacle* {
-    for (const std::size_t i : family) {
-      const auto points = chain_points(map_.obstacles[i]);
-      if (i != family.front() &&
-          std::is_permutation(points.begin(), points.end(), ring.begin(), ring.end())) {
-        return &map_.obstacles[i];
-      }
-    }
-    return nullptr;
-  };
-  bool is_first = true;
+  const Obstacle& outline = map_.obstacles[family.front()];
   for (const auto& polygon : *polygons) {
     Obstacle piece = outline_of(polygon.outer, outline, family);
-    if (!is_first) {
+    if (&polygon != &polygons->front()) {
       piece.id = ++last_id_;
       piece.semantic = piece.semantic.with_value(kPartOf, std::to_string(outline.id));
     }
-    is_first = false;
     const std::string id = std::to_string(piece.id);
     part.push_back(std::move(piece));
-    for (const auto& ring : polygon.holes) {
-      const auto* whole = untouched(ring);
-      Obstacle hole = whole != nullptr ? *whole : outline_of(ring, outline, family);
-      if (whole == nullptr) hole.id = ++last_id_;
-      if (hole.semantic.value(semantic_key::kInnerOf) != id) {
-        hole.semantic = hole.semantic.with_value(semantic_key::kInnerOf, id);
-      }
-      part.push_back(std::move(hole));
-    }
+    for (const auto& ring : polygon.holes) append_hole(ring, id, family, part);
   }
 }
 

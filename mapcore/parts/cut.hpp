@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "mapcore/map.hpp"
@@ -23,6 +24,9 @@ class Cutter {
   using Ring = std::vector<Point>;
 
   bool is_solid(std::span<const std::size_t> family) const;
+  const Obstacle* untouched_hole(const Ring& ring, std::span<const std::size_t> family) const;
+  void append_hole(const Ring& ring, const std::string& outline_id,
+                   std::span<const std::size_t> family, std::vector<Obstacle>& part);
   void cut_solid(std::span<const std::size_t> family, std::vector<Obstacle>& part);
   void cut_chain(const Obstacle& obstacle, std::vector<Obstacle>& part);
   Obstacle outline_of(const Ring& ring, const Obstacle& like,

@@ -184,7 +184,8 @@ class MapLayers {
   std::string holes_text(std::size_t outer) const {
     Json list = Json::array();
     for (const std::size_t hole : groups_.holes[outer]) list.push_back(hole_record(outer, hole));
-    return list.dump();
+    // Bytes that are no UTF-8 are errors of the map already; no GIS takes them.
+    return list.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
   Json hole_record(std::size_t outer, std::size_t hole) const {
