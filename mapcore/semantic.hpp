@@ -1,12 +1,12 @@
 // Semantic strings of obstacles and segments: comma-separated labels and key=value tokens.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
+
+#include "mapcore/shared_text.hpp"
 
 namespace mapwright {
 
@@ -17,14 +17,14 @@ namespace mapwright {
 class Semantic {
  public:
   Semantic() = default;
-  Semantic(std::string text)  // NOLINT(google-explicit-constructor): a string is a semantic
-      : text_(text.empty() ? nullptr : std::make_shared<const std::string>(std::move(text))) {}
-  Semantic(std::string_view text) : Semantic(std::string(text)) {}  // NOLINT
-  Semantic(const char* text) : Semantic(std::string(text)) {}       // NOLINT
+  Semantic(std::string_view text)  // NOLINT(google-explicit-constructor): a string is a semantic
+      : text_(text) {}
+  Semantic(const std::string& text) : text_(text) {}  // NOLINT
+  Semantic(const char* text) : text_(text) {}         // NOLINT
 
-  std::string_view view() const { return text_ ? std::string_view(*text_) : std::string_view(); }
+  std::string_view view() const { return text_.view(); }
   std::string str() const { return std::string(view()); }
-  bool empty() const { return text_ == nullptr; }
+  bool empty() const { return text_.empty(); }
 
   /// The tokens between the commas, in order, white space around them trimmed.
   std::vector<std::string_view> tokens() const;
@@ -43,11 +43,11 @@ class Semantic {
   Semantic with_value(std::string_view key, std::string_view value) const;
 
   friend bool operator==(const Semantic& p, const Semantic& q) {
-    return p.text_ == q.text_ || p.view() == q.view();
+    return p.text_.is_shared_with(q.text_) || p.view() == q.view();
   }
 
  private:
-  std::shared_ptr<const std::string> text_;
+  SharedText text_;
 };
 
 /// Keys with a meaning for this project (docs/format.md).
