@@ -91,7 +91,7 @@ int run(const std::string& path, double radius_m, std::size_t count) {
     std::fprintf(stderr, "%s: cannot be read\n", path.c_str());
     return 3;
   }
-  const MapDocument document = read_map({std::istreambuf_iterator<char>(in), {}});
+  const MapDocument document = read_map(std::string(std::istreambuf_iterator<char>(in), {}));
   const FreeSpace space(document.map);
   const auto pairs = draw_pairs(space, radius_m, count);
   std::printf("%s%s, %zu segments, radius %g m, %zu pairs\n\n", machine_description().c_str(),

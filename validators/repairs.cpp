@@ -43,7 +43,7 @@ TextEdit edit_of(const MapDocument& document, const Numbers& numbers,
 
 TextEdit swapped_ends(const MapDocument& document, std::size_t obstacle, std::size_t segment) {
   const auto& index = document.index;
-  const auto offset = index.segment_offsets[index.first_segment[obstacle] + segment];
+  const auto offset = index.segment_offset(document.text, obstacle, segment);
   return edit_of(document, numbers_at(document.text, offset), {2, 3, 0, 1});
 }
 

@@ -28,6 +28,18 @@ std::size_t count_bytes(std::string_view text, Predicate is_one) {
   return total;
 }
 
+/// True if all bytes are ASCII.
+inline bool is_ascii(std::string_view text) {
+  constexpr std::size_t kChunk = 1024;
+  for (std::size_t at = 0; at < text.size(); at += kChunk) {
+    const std::size_t end = std::min(at + kChunk, text.size());
+    unsigned char all = 0;
+    for (std::size_t i = at; i < end; ++i) all |= static_cast<unsigned char>(text[i]);
+    if (all >= 0x80) return false;
+  }
+  return true;
+}
+
 /// Code points: all bytes but those that continue a UTF-8 sequence.
 inline std::size_t count_characters(std::string_view text) {
   return count_bytes(text, [](unsigned char byte) { return (byte & 0xC0U) != 0x80U; });

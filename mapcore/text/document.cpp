@@ -1,15 +1,15 @@
 #include "mapcore/text/document.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "mapcore/text/byte_counts.hpp"
 #include "mapcore/text/characters.hpp"
 
 namespace mapwright {
 namespace {
-
-constexpr std::size_t kBlockBytes = 4096;
 
 // The place behind `text`, which begins at `place`.
 TextPlace advanced(TextPlace place, std::string_view text) {
@@ -50,13 +50,24 @@ std::size_t behind_keyword(std::string_view text, std::size_t at) {
 }  // namespace
 
 TextIndex::TextIndex(std::string_view text) {
-  block_places_.reserve(text.size() / kBlockBytes + 1);
-  TextPlace place;
-  if (text.starts_with(text::kByteOrderMark)) place.column = 0;
-  for (std::size_t at = 0; at < text.size(); at += kBlockBytes) {
-    block_places_.push_back(place);
-    place = advanced(place, text.substr(at, kBlockBytes));
+  add_lines(text, text.size());
+}
+
+void TextIndex::add_lines(std::string_view text, std::size_t end) {
+  if (indexed_ == 0) {
+    block_places_.reserve(text.size() / kBlockBytes + 1);
+    indexed_place_.column = text.starts_with(text::kByteOrderMark) ? 0 : 1;
   }
+  for (; indexed_ < end; indexed_ = std::min(indexed_ + kBlockBytes, end)) {
+    block_places_.push_back(indexed_place_);
+    indexed_place_ =
+        advanced(indexed_place_, text.substr(indexed_, std::min(kBlockBytes, end - indexed_)));
+  }
+}
+
+void TextIndex::add_anchor(std::size_t segment, std::size_t offset) {
+  anchors_.push_back({offset, static_cast<std::uint32_t>(obstacle_offsets.size() - 1),
+                      static_cast<std::uint32_t>(segment)});
 }
 
 TextPlace TextIndex::place_at(std::string_view text, std::size_t offset) const {
@@ -90,6 +101,24 @@ std::size_t TextIndex::offset_at(std::string_view text, TextPlace place) const {
   return offset;
 }
 
+// From the nearest anchor before it, or from the obstacle's own record.
+std::size_t TextIndex::segment_offset(std::string_view text, std::size_t obstacle,
+                                      std::size_t segment) const {
+  const auto is_before = [](std::pair<std::size_t, std::size_t> p, const Anchor& q) {
+    return p < std::pair<std::size_t, std::size_t>(q.obstacle, q.segment);
+  };
+  const auto above =
+      std::upper_bound(anchors_.begin(), anchors_.end(), std::pair(obstacle, segment), is_before);
+  std::size_t offset = obstacle_offsets[obstacle];
+  std::size_t records = segment + 1;
+  if (above != anchors_.begin() && std::prev(above)->obstacle == obstacle) {
+    offset = std::prev(above)->offset;
+    records = segment - std::prev(above)->segment;
+  }
+  for (; records > 0; --records) offset = skip_blanks(text, text.find('#', offset) + 1);
+  return offset;
+}
+
 TextPlace TextIndex::place(std::string_view text, std::size_t obstacle, ObstacleField field) const {
   const std::size_t keyword = obstacle_offsets[obstacle];
   if (field == ObstacleField::kKeyword) return place_at(text, keyword);
@@ -99,7 +128,7 @@ TextPlace TextIndex::place(std::string_view text, std::size_t obstacle, Obstacle
 
 TextPlace TextIndex::place(std::string_view text, std::size_t obstacle, std::size_t segment,
                            SegmentField field) const {
-  const std::size_t first = segment_offsets[first_segment[obstacle] + segment];
+  const std::size_t first = segment_offset(text, obstacle, segment);
   return place_at(text, field_offset(text, first, static_cast<std::size_t>(field)));
 }
 

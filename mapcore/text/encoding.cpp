@@ -8,7 +8,7 @@
 namespace mapwright::text {
 namespace {
 
-constexpr std::size_t kBlockBytes = 4096;
+constexpr std::size_t kBlockBytes = TextIndex::kBlockBytes;
 constexpr std::size_t kFewestControls = 2;
 constexpr std::size_t kBytesPerControl = 32;
 
@@ -30,6 +30,20 @@ std::size_t count_invalid(std::string_view text) {
   return count;
 }
 
+}  // namespace
+
+std::size_t end_of_text(std::string_view text) {
+  return end_of_text(text, 0, text.size());
+}
+
+std::size_t end_of_text(std::string_view text, std::size_t begin, std::size_t end) {
+  if (begin == 0 && is_utf16(text)) return 0;
+  for (std::size_t at = begin; at < end; at += kBlockBytes) {
+    if (!is_text(text.substr(at, std::min(kBlockBytes, end - at)))) return at;
+  }
+  return end;
+}
+
 void report_not_text(std::string_view text, std::size_t end, Defects& defects) {
   if (is_utf16(text)) {
     defects.add(FindingCode::F102, 0, "the file is UTF-16; save it as UTF-8");
@@ -42,8 +56,11 @@ void report_not_text(std::string_view text, std::size_t end, Defects& defects) {
                        : "from here on the file is not text; the records before are read");
 }
 
-void report_invalid_utf8(std::string_view text, Defects& defects) {
-  std::size_t at = 0;
+void report_invalid_utf8(std::string_view text, std::size_t begin, std::size_t end,
+                         Defects& defects) {
+  text = text.substr(0, end);
+  if (is_ascii(text.substr(begin))) return;
+  std::size_t at = begin;
   while (true) {
     const auto invalid = find_invalid_utf8(text.substr(at));
     if (invalid == text.npos) return;
@@ -57,23 +74,6 @@ void report_invalid_utf8(std::string_view text, Defects& defects) {
                     quoted(text.substr(at, 1)) + "; save the file as UTF-8");
     at = record_end;
   }
-}
-
-}  // namespace
-
-std::size_t end_of_text(std::string_view text) {
-  if (is_utf16(text)) return 0;
-  for (std::size_t at = 0; at < text.size(); at += kBlockBytes) {
-    if (!is_text(text.substr(at, kBlockBytes))) return at;
-  }
-  return text.size();
-}
-
-std::size_t report_encoding(std::string_view text, Defects& defects) {
-  const std::size_t end = end_of_text(text);
-  if (end < text.size()) report_not_text(text, end, defects);
-  report_invalid_utf8(text.substr(0, end), defects);
-  return end;
 }
 
 }  // namespace mapwright::text

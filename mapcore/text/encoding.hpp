@@ -12,8 +12,16 @@ namespace mapwright::text {
 /// characters; its size where all of it is text. A text in UTF-16 ends at 0.
 std::size_t end_of_text(std::string_view text);
 
-/// Reports what is not text (F102) and what is not UTF-8 (F103, once a record). Returns
-/// `end_of_text`.
-std::size_t report_encoding(std::string_view text, Defects& defects);
+/// The same for the blocks from `begin`, a multiple of TextIndex::kBlockBytes, up to `end`; `end`
+/// where all of them are text.
+std::size_t end_of_text(std::string_view text, std::size_t begin, std::size_t end);
+
+/// Reports that what begins at `end` is not text (F102).
+void report_not_text(std::string_view text, std::size_t end, Defects& defects);
+
+/// Reports what is not UTF-8 from `begin` up to `end`, where records begin or the text ends (F103,
+/// once a record).
+void report_invalid_utf8(std::string_view text, std::size_t begin, std::size_t end,
+                         Defects& defects);
 
 }  // namespace mapwright::text

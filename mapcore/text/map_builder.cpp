@@ -9,10 +9,6 @@
 namespace mapwright::text {
 namespace {
 
-// An obstacle of more segments than this keeps the memory they were gathered in; smaller ones get
-// memory of the exact size.
-constexpr std::size_t kManySegments = 65536;
-
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
@@ -45,7 +41,15 @@ void MapBuilder::obstacle(ObstacleHeader header) {
   records_ = unreadable_ = 0;
   if (!header_.id) return;
   document_.index.obstacle_offsets.push_back(header_.offset);
-  document_.index.first_segment.push_back(document_.index.segment_offsets.size());
+  reserve_declared();
+}
+
+// The exact room, unless the text is too short to hold so many.
+void MapBuilder::reserve_declared() {
+  if (!header_.declared_segments || *header_.declared_segments < 0) return;
+  const auto declared = static_cast<std::uint64_t>(*header_.declared_segments);
+  const std::size_t left = document_.text.size() - header_.offset;
+  if (declared <= left / kShortestSegment) segments_.reserve(declared);
 }
 
 void MapBuilder::segment_elsewhere(std::size_t offset) {
@@ -75,14 +79,15 @@ void MapBuilder::close_obstacle() {
   Obstacle& obstacle = document_.map.obstacles.emplace_back();
   obstacle.id = *header_.id;
   obstacle.semantic = std::move(header_.semantic);
-  if (segments_.size() > kManySegments) {
-    obstacle.segments = std::move(segments_);
-  } else {
-    obstacle.segments.assign(std::make_move_iterator(segments_.begin()),
-                             std::make_move_iterator(segments_.end()));
-  }
-  segments_.clear();
+  obstacle.segments = take_segments();
   obstacle.shape_type = shape_type();
+}
+
+// In memory of their size; where much more was set aside for them, they move.
+std::vector<Segment> MapBuilder::take_segments() {
+  std::vector<Segment> segments = std::exchange(segments_, {});
+  if (segments.capacity() <= segments.size() + segments.size() / 8) return segments;
+  return {std::make_move_iterator(segments.begin()), std::make_move_iterator(segments.end())};
 }
 
 void MapBuilder::compare_segment_count() {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mapcore/text/defects.hpp"
@@ -33,20 +35,24 @@ class MapBuilder {
  public:
   MapBuilder(MapDocument& document, Defects& defects) : document_(document), defects_(defects) {}
 
+  /// Fewest bytes of a segment's record.
+  static constexpr std::size_t kShortestSegment = std::string_view("0;0;0;0;0;0;;#").size();
+
   /// A border record; `border` where its numbers could be read.
   void border(std::size_t offset, const std::optional<Border>& border);
 
   void obstacle(ObstacleHeader header);
 
-  /// A segment whose record begins at `offset`.
-  void segment(std::size_t offset, Segment&& segment) {
+  /// A segment whose record begins at `offset`. `follows`: right behind the '#' of the segment, or
+  /// of its obstacle's header, that was handed in before it.
+  void segment(std::size_t offset, Segment&& segment, bool follows = false) {
     ++records_;
     if (state_ != State::kInObstacle) {
       segment_elsewhere(offset);
       return;
     }
+    document_.index.add_segment(segments_.size(), offset, follows);
     segments_.push_back(std::move(segment));
-    document_.index.segment_offsets.push_back(offset);
   }
 
   /// A segment record that could not be understood.
@@ -62,7 +68,9 @@ class MapBuilder {
   enum class State : std::uint8_t { kBeforeObstacles, kInObstacle, kInLeftOut };
 
   void segment_elsewhere(std::size_t offset);
+  void reserve_declared();
   void close_obstacle();
+  std::vector<Segment> take_segments();
   void compare_segment_count();
   ShapeType shape_type();
   void report_stray_segments();

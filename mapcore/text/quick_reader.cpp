@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 #include "mapcore/text/characters.hpp"
 #include "mapcore/text/decimal.hpp"
@@ -15,6 +16,19 @@ class QuickReader::Cursor {
   Cursor(const char* at, const char* end) : at_(at), end_(end) { skip_blanks(); }
 
   const char* at() const { return at_; }
+
+  /// True, and the fields passed, if they are written in just these bytes, up to a ';' or blanks
+  /// behind it.
+  bool same_fields(std::string_view bytes) {
+    if (!same_bytes(bytes)) return false;
+    skip_blanks();
+    return true;
+  }
+
+  /// The same for fields up to the '#' of their record.
+  bool same_record_end(std::string_view bytes) { return same_bytes(bytes); }
+
+  bool point(Point& p) { return number(p.x) && number(p.y); }
 
   bool number(double& value) {
     const char* stop = nullptr;
@@ -43,14 +57,6 @@ class QuickReader::Cursor {
     return field_end(at_ + word.size());
   }
 
-  /// True, and the field passed, if it is exactly `expected`.
-  bool same_text(std::string_view expected) {
-    if (left() <= static_cast<std::ptrdiff_t>(expected.size())) return false;
-    if (at_[expected.size()] != ';') return false;
-    if (std::string_view(at_, expected.size()) != expected) return false;
-    return field_end(at_ + expected.size());
-  }
-
   bool text(std::string_view& value) {
     if (left() <= 0) return false;
     const char* stop = at_;
@@ -68,6 +74,13 @@ class QuickReader::Cursor {
  private:
   /// Not positive where blanks behind the end have been skipped.
   std::ptrdiff_t left() const { return end_ - at_; }
+
+  bool same_bytes(std::string_view bytes) {
+    if (bytes.empty() || left() < static_cast<std::ptrdiff_t>(bytes.size())) return false;
+    if (std::memcmp(at_, bytes.data(), bytes.size()) != 0) return false;
+    at_ += bytes.size();
+    return true;
+  }
 
   void skip_blanks() {
     while (is_blank(*at_)) ++at_;
@@ -97,28 +110,43 @@ class QuickReader::Cursor {
 };
 
 bool QuickReader::read_segment(const char*& at) {
-  Cursor cursor(at, text_.data() + text_.size());
-  const std::size_t first = offset(cursor.at());
+  Cursor cursor(at, end_);
+  const char* const first = cursor.at();
   Segment segment;
-  if (!cursor.number(segment.a.x) || !cursor.number(segment.a.y) || !cursor.number(segment.b.x) ||
-      !cursor.number(segment.b.y) || !cursor.number(segment.height_m) ||
-      !cursor.in_out(segment.in_out)) {
+  if (cursor.same_fields(last_end_.bytes)) {
+    segment.a = last_end_.value;
+  } else if (!cursor.point(segment.a)) {
     return false;
   }
-  if (!cursor.same_text(last_.view())) {
-    std::string_view semantic;
-    if (!cursor.text(semantic)) return false;
-    last_ = semantics_.get(semantic);
+  const char* const second = cursor.at();
+  if (!cursor.point(segment.b)) return false;
+  const char* const third = cursor.at();
+  if (!cursor.same_record_end(last_.bytes)) {
+    if (!read_attributes(cursor)) return false;
+    last_.bytes = {third, static_cast<std::size_t>(cursor.at() - third)};
   }
-  if (!cursor.record_end()) return false;
-  segment.semantic = last_;
-  builder_.segment(first, std::move(segment));
+  last_end_ = {{second, static_cast<std::size_t>(third - second)}, segment.b};
+  segment.height_m = last_.value.height_m;
+  segment.in_out = last_.value.in_out;
+  segment.semantic = last_.value.semantic;
+  builder_.segment(offset(first), std::move(segment), follows_);
   at = cursor.at();
   return true;
 }
 
+bool QuickReader::read_attributes(Cursor& cursor) {
+  last_.bytes = {};
+  std::string_view semantic;
+  if (!cursor.number(last_.value.height_m) || !cursor.in_out(last_.value.in_out) ||
+      !cursor.text(semantic) || !cursor.record_end()) {
+    return false;
+  }
+  last_.value.semantic = semantics_.get(semantic);
+  return true;
+}
+
 bool QuickReader::read_obstacle(const char*& at) {
-  Cursor cursor(at, text_.data() + text_.size());
+  Cursor cursor(at, end_);
   ObstacleHeader header;
   header.offset = offset(cursor.at());
   std::int64_t id = 0;
@@ -140,10 +168,11 @@ bool QuickReader::read_obstacle(const char*& at) {
   return true;
 }
 
-std::size_t QuickReader::read(std::size_t at) {
+std::size_t QuickReader::read(std::size_t at, std::size_t end) {
   const char* position = text_.data() + at;
-  while (read_segment(position) || read_obstacle(position)) {
-  }
+  end_ = text_.data() + end;
+  follows_ = false;
+  while (read_segment(position) || read_obstacle(position)) follows_ = true;
   return offset(position);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "mapcore/text/byte_counts.hpp"
 #include "mapcore/text/characters.hpp"
 #include "mapcore/text/defects.hpp"
 #include "mapcore/text/encoding.hpp"
@@ -23,49 +22,98 @@ std::size_t first_character(std::string_view text) {
   return at;
 }
 
-// Room for the records of a text without defects: S segments and O obstacles have S + O + 1 times '#'
-// and 7 S + 5 O + 5 times ';'. Other texts get no more than the shortest records they could hold.
-void reserve(std::string_view text, MapDocument& document) {
-  constexpr std::size_t kShortestSegment = std::string_view("0;0;0;0;0;0;;#").size();
-  constexpr std::size_t kShortestObstacle = std::string_view("obstacle;0;1;0;;#").size();
-  const std::size_t hashes = text::count_byte(text, '#');
-  const std::size_t semicolons = text::count_byte(text, ';');
-  const std::size_t surplus = 7 * hashes > semicolons + 2 ? 7 * hashes - semicolons - 2 : 0;
-  const std::size_t obstacles = std::min(surplus / 2, text.size() / kShortestObstacle);
-  document.map.obstacles.reserve(obstacles);
-  document.index.obstacle_offsets.reserve(obstacles);
-  document.index.first_segment.reserve(obstacles);
-  document.index.segment_offsets.reserve(std::min(hashes, text.size() / kShortestSegment));
-}
+// Reads a text piece by piece: of each piece first the lines and the encoding, then the records that
+// end in it, while it is in the processor's cache. What has been read is let go.
+class PieceReader {
+ public:
+  PieceReader(MapDocument& document, Defects& defects)
+      : document_(document),
+        text_(document.text.view()),
+        defects_(defects),
+        builder_(document, defects),
+        quick_(text_, builder_, semantics_),
+        end_(text_.size()),
+        first_(first_character(text_)),
+        at_(first_) {}
 
-void read_records(std::string_view text, bool is_cut, MapDocument& document, Defects& defects) {
-  reserve(text, document);
-  text::SemanticCache semantics;
-  text::MapBuilder builder(document, defects);
-  text::QuickReader quick(text, builder, semantics);
-  text::RecordReader careful(text, is_cut, builder, defects, semantics);
-  const std::size_t first = first_character(text);
-  std::size_t at = first;
-  while (at < text.size()) {
-    at = quick.read(at);
-    if (at < text.size()) at = careful.read(at);
+  void read() {
+    while (seen_ < text_.size()) {
+      look_at_next_piece();
+      read_whole_records();
+    }
+    if (end_ > 0) builder_.finish(first_);
   }
-  builder.finish(first);
-}
+
+ private:
+  static constexpr std::size_t kPieceBytes = 64 * TextIndex::kBlockBytes;
+
+  void look_at_next_piece() {
+    const std::size_t begin = std::exchange(seen_, std::min(seen_ + kPieceBytes, text_.size()));
+    document_.index.add_lines(text_, seen_);
+    const std::size_t hash = text_.substr(begin, seen_ - begin).rfind('#');
+    if (hash != text_.npos) whole_ = begin + hash + 1;
+    const std::size_t end = text::end_of_text(text_, begin, seen_);
+    if (end < seen_) cut_at(end);
+    if (seen_ == text_.size()) whole_ = end_;
+  }
+
+  void cut_at(std::size_t end) {
+    end_ = end;
+    text::report_not_text(text_, end, defects_);
+    document_.index.add_lines(text_, text_.size());
+    seen_ = text_.size();
+  }
+
+  // All that end in what has been looked at.
+  void read_whole_records() {
+    if (whole_ == done_) return;
+    text::report_invalid_utf8(text_, done_, whole_, defects_);
+    text::RecordReader careful(text_.substr(0, whole_), end_ < text_.size(), builder_, defects_,
+                               semantics_);
+    while (at_ < whole_) {
+      at_ = quick_.read(at_, whole_);
+      if (at_ < whole_) at_ = careful.read(at_);
+    }
+    if (done_ == 0) reserve_as_begun();
+    document_.text.release(done_, whole_);
+    done_ = whole_;
+  }
+
+  // Room for the obstacles to come, as many in each byte as up to here.
+  void reserve_as_begun() {
+    const auto begun = static_cast<double>(document_.map.obstacles.size());
+    const double share = static_cast<double>(text_.size()) / static_cast<double>(whole_);
+    const auto expected = static_cast<std::size_t>(1.05 * begun * share) + 1;
+    document_.map.obstacles.reserve(expected);
+    document_.index.obstacle_offsets.reserve(expected);
+  }
+
+  MapDocument& document_;
+  std::string_view text_;
+  Defects& defects_;
+  text::SemanticCache semantics_;
+  text::MapBuilder builder_;
+  text::QuickReader quick_;
+  std::size_t end_;        // of what is text
+  std::size_t first_;      // character that is not blank
+  std::size_t seen_ = 0;   // looked at
+  std::size_t whole_ = 0;  // of this: up to the last '#', or the end of the text
+  std::size_t done_ = 0;   // read
+  std::size_t at_;         // where the next record begins
+};
 
 }  // namespace
 
-MapDocument read_map(std::string text) {
+MapDocument read_map(MapText text) {
   MapDocument document;
   document.text = std::move(text);
   const std::string_view all = document.text;
-  document.index = TextIndex(all);
   Defects defects;
-  const std::size_t end = text::report_encoding(all, defects);
   if (first_character(all) == all.size()) {
+    document.index = TextIndex(all);
     defects.add(FindingCode::F101, 0, "the file is empty; a map has at least a border record");
-  } else if (end > 0) {
-    read_records(all.substr(0, end), end < all.size(), document, defects);
+  } else {
+    PieceReader(document, defects).read();
   }
   document.findings = std::move(defects).findings(all, document.index);
   return document;

@@ -13,6 +13,6 @@ namespace mapwright {
 /// '#', and the document's map holds all records that could be understood. LF, CRLF and a UTF-8
 /// byte order mark are read; numbers have '.' as decimal point in every locale. A declared segment
 /// count is compared, never trusted: memory is bounded by the size of the text.
-MapDocument read_map(std::string text);
+MapDocument read_map(MapText text);
 
 }  // namespace mapwright

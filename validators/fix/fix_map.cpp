@@ -110,7 +110,7 @@ class Runner {
         if (run_fixer(*fixer)) attempt_.is_settled = false;
       }
     }
-    attempt_.text = std::move(document_.text);
+    attempt_.text = document_.text.str();
     return std::move(attempt_);
   }
 

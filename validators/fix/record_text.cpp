@@ -55,7 +55,7 @@ std::size_t skip_blanks(std::string_view text, std::size_t at) {
 std::optional<SegmentText> segment_text(const MapDocument& document, std::size_t obstacle,
                                         std::size_t segment) {
   const auto& index = document.index;
-  const auto offset = index.segment_offsets[index.first_segment[obstacle] + segment];
+  const auto offset = index.segment_offset(document.text, obstacle, segment);
   return record_at<7>(document.text, offset, offset);
 }
 

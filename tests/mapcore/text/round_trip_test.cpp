@@ -44,7 +44,7 @@ TEST(RoundTrip, GivesTheQuantizedMapWithoutFindings) {
   for (std::size_t i = 0; i < kMaps; ++i) {
     const Map map = test::random_map(random);
     const MapDocument document = read_map(format_map(map));
-    ASSERT_EQ(document.map, quantized(map)) << "map " << i << ":\n" << document.text;
+    ASSERT_EQ(document.map, quantized(map)) << "map " << i << ":\n" << document.text.view();
     ASSERT_TRUE(document.findings.empty()) << "map " << i << ": " << document.findings[0].message;
   }
 }
@@ -64,8 +64,8 @@ TEST(RoundTrip, HoldsAtEveryResolution) {
       const Map map = test::random_map(random);
       const MapDocument document = read_map(format_map(map, {resolution_m}));
       ASSERT_EQ(document.map, quantized(map, {resolution_m})) << resolution_m << '\n'
-                                                              << document.text;
-      ASSERT_EQ(format_map(document.map, {resolution_m}), document.text) << resolution_m;
+                                                              << document.text.view();
+      ASSERT_EQ(format_map(document.map, {resolution_m}), document.text.view()) << resolution_m;
     }
   }
 }

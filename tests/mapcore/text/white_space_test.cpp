@@ -28,8 +28,8 @@ TEST_P(WhiteSpace, InPlaceOfLineBreaksChangesNothing) {
   for (int i = 0; i < 200; ++i) {
     const std::string text = format_map(test::random_map(random));
     const MapDocument document = read_map(replaced(text, "\n", GetParam()));
-    ASSERT_EQ(document.map, read_map(text).map) << document.text;
-    ASSERT_TRUE(document.findings.empty()) << document.text;
+    ASSERT_EQ(document.map, read_map(text).map) << document.text.view();
+    ASSERT_TRUE(document.findings.empty()) << document.text.view();
   }
 }
 
