@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cli/support/error.hpp"
+#include "cli/support/map_files.hpp"
 #include "mapcore/georeference.hpp"
 #include "mapcore/text/reader.hpp"
 #include "mapcore/text/writer.hpp"
@@ -32,19 +33,17 @@ ConvertedFiles::ConvertedFiles(const std::string& output, const std::string& rep
 }
 
 std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Console& console) {
-  std::string text;
-  if (map_) {
-    std::ofstream out(map_->path(), std::ios::binary);
-    mapwright::write_map(map, out, {resolution_m});
-    out.close();
-    if (!out) throw Error(ExitStatus::kOutput, output_ + ": cannot be written to its end");
-    text = read_file(map_->path());
-  } else {
-    text = format_map(map, {resolution_m});
+  if (!map_) {
+    std::string text = format_map(map, {resolution_m});
     console.out() << text;
+    return validators::validate(read_map(std::move(text)));
   }
+  std::ofstream out(map_->path(), std::ios::binary);
+  mapwright::write_map(map, out, {resolution_m});
+  out.close();
+  if (!out) throw Error(ExitStatus::kOutput, output_ + ": cannot be written to its end");
   map = {};  // before another one like it is read
-  return validators::validate(read_map(std::move(text)));
+  return validators::validate(read_map_file(map_->path()));
 }
 
 // A sidecar of an earlier map under this name would put the new one where it does not lie.

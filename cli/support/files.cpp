@@ -94,9 +94,7 @@ void remove_temporary(const char* path) {
 }
 
 extern "C" void on_interrupt(int signal) {
-  for (auto& slot : open_temporaries) {
-    if (slot.used.load()) remove_temporary(slot.path.data());
-  }
+  remove_temporary_files();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -133,6 +131,12 @@ std::string create_temporary_beside(const std::string& target) {
 }
 
 }  // namespace
+
+void remove_temporary_files() {
+  for (auto& slot : open_temporaries) {
+    if (slot.used.load()) remove_temporary(slot.path.data());
+  }
+}
 
 void remove_temporary_files_on_interrupt() {
   std::signal(SIGINT, on_interrupt);

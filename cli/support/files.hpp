@@ -59,4 +59,7 @@ class TemporaryFolder {
 /// Removes temporary files when the program is interrupted.
 void remove_temporary_files_on_interrupt();
 
+/// Removes all temporary files there are now. A signal handler may call it.
+void remove_temporary_files();
+
 }  // namespace mapwright::cli

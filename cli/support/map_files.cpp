@@ -6,11 +6,17 @@
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/findings_text.hpp"
+#include "cli/support/heap.hpp"
+#include "cli/support/mapped_file.hpp"
 #include "mapcore/text/reader.hpp"
 
 namespace mapwright::cli {
 
 MapDocument read_map_file(const std::string& path) {
+  if (auto text = map_large_file(path)) {
+    expect_map_of(text->size());
+    return read_map(*std::move(text));
+  }
   return read_map(read_file(path));
 }
 
