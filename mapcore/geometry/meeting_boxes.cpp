@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mapcore/geometry/box_grid.hpp"
 #include "mapcore/geometry/segment_index.hpp"
 
 namespace mapwright {
@@ -25,19 +26,28 @@ class NumberedBox {
   std::size_t position_;
 };
 
-}  // namespace
-
-void for_each_meeting_pair(const std::vector<Box>& boxes,
-                           const std::function<void(std::size_t, std::size_t)>& visit) {
+// By a plane sweep over a segment tree, for boxes of any sizes.
+void sweep(std::span<const Box> boxes, double reach_m,
+           const std::function<void(std::size_t, std::size_t)>& visit) {
   std::vector<NumberedBox> numbered;
   numbered.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!boxes[i].is_empty()) numbered.emplace_back(boxes[i], i);
+    if (!boxes[i].is_empty()) numbered.emplace_back(boxes[i].inflated(reach_m), i);
   }
   CGAL::box_self_intersection_d(numbered.begin(), numbered.end(),
                                 [&](const NumberedBox& p, const NumberedBox& q) {
                                   visit(std::min(p.id(), q.id()), std::max(p.id(), q.id()));
                                 });
+}
+
+}  // namespace
+
+void for_each_meeting_pair(std::span<const Box> boxes,
+                           const std::function<void(std::size_t, std::size_t)>& visit,
+                           double reach_m) {
+  const BoxGrid grid(boxes, reach_m);
+  if (grid.pays()) return grid.for_each_meeting_pair(visit);
+  sweep(boxes, reach_m, visit);
 }
 
 }  // namespace mapwright

@@ -4,20 +4,12 @@
 #include <cmath>
 
 #include "mapcore/geometry/exact_arithmetic.hpp"
+#include "mapcore/geometry/filtered_turn.hpp"
 
 namespace mapwright {
 namespace {
 
 constexpr double kRounding = DBL_EPSILON / 2.0;
-
-// Bound of the relative error of the 2 × 2 determinant of differences (Shewchuk, Adaptive Precision
-// Floating-Point Arithmetic, 1997: ccwerrboundA).
-constexpr double kTurnError = (3.0 + 16.0 * kRounding) * kRounding;
-
-// Error bounds hold where nothing underflows or overflows on the way.
-constexpr bool in_safe_range(double magnitude) {
-  return magnitude > 1e-280 && magnitude < 1e280;
-}
 
 constexpr int sign(double value) {
   return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0);
@@ -69,14 +61,8 @@ Turn turn(Point a, Point b, Point p) {
       return static_cast<Turn>(sign_with_zero_product(u.x, v.y, u.y, v.x));
     }
   }
-  const double left = u.x * v.y;
-  const double right = u.y * v.x;
-  const double determinant = left - right;
-  const double magnitude = std::abs(left) + std::abs(right);
-  if (in_safe_range(magnitude) && std::abs(determinant) > kTurnError * magnitude) {
-    return static_cast<Turn>(sign(determinant));
-  }
-  return exact::turn(a, b, p);
+  const int sure = sure_sign_of_cross(u, v);
+  return sure != 0 ? static_cast<Turn>(sure) : exact::turn(a, b, p);
 }
 
 RingOrientation ring_orientation(std::span<const Point> ring) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mapcore/point.hpp"
@@ -62,9 +63,11 @@ class SegmentIndex {
   std::unique_ptr<Tree> tree_;
 };
 
-/// Calls `visit(i, j)` once for each pair i < j of boxes that meet (closed); n log n + output. In
-/// no promised order.
-void for_each_meeting_pair(const std::vector<Box>& boxes,
-                           const std::function<void(std::size_t, std::size_t)>& visit);
+/// Calls `visit(i, j)` once for each pair i < j of boxes that meet (closed) when each is grown by
+/// `reach_m` on all sides; n log n + output, linear for boxes of about one size. In no promised
+/// order. Empty boxes meet nothing.
+void for_each_meeting_pair(std::span<const Box> boxes,
+                           const std::function<void(std::size_t, std::size_t)>& visit,
+                           double reach_m = 0.0);
 
 }  // namespace mapwright

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "mapcore/geometry/orientation.hpp"
@@ -191,6 +192,36 @@ TEST(MeetingPairs, AreThoseOfBruteForce) {
     for_each_meeting_pair(boxes, [&](std::size_t p, std::size_t q) {
       EXPECT_TRUE(found.insert({p, q}).second) << "twice";
     });
+    ASSERT_EQ(found, expected);
+  }
+}
+
+// Boxes of one size, as buildings are, and boxes of all sizes; each grown by a reach.
+TEST(MeetingPairs, OfGrownBoxesAreThoseOfBruteForce) {
+  Random random(18);
+  for (int i = 0; i < 200; ++i) {
+    const double reach_m = i % 4 == 0 ? 0.0 : random.uniform(0.0, 1.0);
+    const double most_m = i % 3 == 0 ? 60.0 : 3.0;
+    std::vector<Box> boxes;
+    for (auto left = random.below(300); left > 0; --left) {
+      const Point low{std::round(random.uniform(-50.0, 50.0)), random.uniform(-40.0, 40.0)};
+      boxes.push_back({low.x, low.y, low.x + std::round(random.uniform(0.0, most_m)),
+                       low.y + random.uniform(0.0, most_m)});
+      if (left % 50 == 0) boxes.push_back(kEmptyBox);
+    }
+    std::set<std::pair<std::size_t, std::size_t>> expected, found;
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+      for (std::size_t q = p + 1; q < boxes.size(); ++q) {
+        const bool is_there = !boxes[p].is_empty() && !boxes[q].is_empty();
+        if (is_there && meet_closed(boxes[p].inflated(reach_m), boxes[q].inflated(reach_m))) {
+          expected.insert({p, q});
+        }
+      }
+    }
+    const auto add = [&](std::size_t p, std::size_t q) {
+      EXPECT_TRUE(found.insert({p, q}).second) << "twice";
+    };
+    for_each_meeting_pair(boxes, add, reach_m);
     ASSERT_EQ(found, expected);
   }
 }
