@@ -11,6 +11,7 @@
 #include "validators/shape/edge_finder.hpp"
 #include "validators/shape/nesting.hpp"
 #include "validators/shape/outline.hpp"
+#include "validators/survey/survey.hpp"
 #include "validators/validator.hpp"
 
 namespace mapwright::validators {
@@ -25,7 +26,8 @@ struct ObstaclePair {
 /// then shared. One thread at a time. The document must outlive the context.
 class CheckContext {
  public:
-  CheckContext(const MapDocument& document, const ValidationOptions& options);
+  CheckContext(const MapDocument& document, const ValidationOptions& options,
+               Proofs proofs = Proofs::kAll);
   CheckContext(const CheckContext&) = delete;
   CheckContext& operator=(const CheckContext&) = delete;
   ~CheckContext();
@@ -44,11 +46,23 @@ class CheckContext {
   /// about how its segments follow each other, and family F has said why.
   bool is_complete(std::size_t obstacle) const;
 
-  /// What kind of shape each obstacle is.
-  const std::vector<Outline>& outlines() const;
+  /// What one look at each obstacle showed.
+  const Survey& survey() const;
+
+  /// The obstacles that a check must look at, ascending: see Doubt.
+  const Positions& in_doubt(Doubt doubt) const { return survey().in_doubt(doubt); }
+
+  /// Box around an obstacle; empty where it has no segments.
+  const Box& box(std::size_t obstacle) const { return survey().boxes()[obstacle]; }
+
+  /// What kind of shape an obstacle is.
+  const Outline& outline(std::size_t obstacle) const;
 
   /// Pairs of obstacles whose boxes meet, in ascending order.
   const std::vector<ObstaclePair>& meeting_pairs() const;
+
+  /// Pairs of obstacles that may come as near to each other as `near_miss_m`, in ascending order.
+  const std::vector<ObstaclePair>& near_pairs() const;
 
   /// Which ring holds which obstacle.
   const Nesting& nesting() const;

@@ -10,23 +10,29 @@
 namespace mapwright::validators {
 
 struct CheckContext::Derived {
+  Derived(const Map& map, const ValidationOptions& options, Proofs proofs)
+      : survey(map, options, proofs) {}
+
+  Survey survey;
   std::unordered_set<std::int64_t> incomplete;  // ids
-  std::optional<std::vector<Outline>> outlines;
-  std::optional<std::vector<ObstaclePair>> pairs;
+  std::unordered_map<std::size_t, Outline> outlines;
+  std::optional<std::vector<ObstaclePair>> near_pairs, meeting_pairs;
   std::optional<Nesting> nesting;
   std::unordered_map<std::size_t, EdgeFinder> edges;
 };
 
 namespace {
 
-std::vector<ObstaclePair> pairs_of(const std::vector<Outline>& outlines) {
-  std::vector<Box> boxes;
-  boxes.reserve(outlines.size());
-  for (const auto& outline : outlines) boxes.push_back(outline.box);
+bool boxes_meet(const Box& p, const Box& q) {
+  return p.min_x <= q.max_x && q.min_x <= p.max_x && p.min_y <= q.max_y && q.min_y <= p.max_y;
+}
+
+std::vector<ObstaclePair> near_pairs_of(const std::vector<Box>& boxes, double reach_m) {
   std::vector<ObstaclePair> pairs;
-  for_each_meeting_pair(boxes, [&](std::size_t i, std::size_t j) {
+  const auto add = [&](std::size_t i, std::size_t j) {
     pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
-  });
+  };
+  for_each_meeting_pair(boxes, add, reach_m);
   std::sort(pairs.begin(), pairs.end(), [](const ObstaclePair& p, const ObstaclePair& q) {
     return std::tie(p.first, p.second) < std::tie(q.first, q.second);
   });
@@ -48,8 +54,11 @@ bool loses_a_segment(FindingCode code) {
 
 }  // namespace
 
-CheckContext::CheckContext(const MapDocument& document, const ValidationOptions& options)
-    : document_(document), options_(options), derived_(std::make_unique<Derived>()) {
+CheckContext::CheckContext(const MapDocument& document, const ValidationOptions& options,
+                           Proofs proofs)
+    : document_(document),
+      options_(options),
+      derived_(std::make_unique<Derived>(document.map, options, proofs)) {
   for (const auto& finding : document.findings) {
     if (finding.obstacle && loses_a_segment(finding.code)) {
       derived_->incomplete.insert(*finding.obstacle);
@@ -74,18 +83,29 @@ bool CheckContext::is_complete(std::size_t obstacle) const {
          derived_->incomplete.count(map().obstacles[obstacle].id) == 0;
 }
 
-const std::vector<Outline>& CheckContext::outlines() const {
-  if (!derived_->outlines) {
-    auto& outlines = derived_->outlines.emplace();
-    outlines.reserve(map().obstacles.size());
-    for (const auto& obstacle : map().obstacles) outlines.push_back(outline_of(obstacle));
-  }
-  return *derived_->outlines;
+const Survey& CheckContext::survey() const {
+  return derived_->survey;
+}
+
+const Outline& CheckContext::outline(std::size_t obstacle) const {
+  const auto found = derived_->outlines.find(obstacle);
+  if (found != derived_->outlines.end()) return found->second;
+  return derived_->outlines.emplace(obstacle, outline_of(map().obstacles[obstacle])).first->second;
+}
+
+const std::vector<ObstaclePair>& CheckContext::near_pairs() const {
+  auto& pairs = derived_->near_pairs;
+  if (!pairs) pairs = near_pairs_of(survey().boxes(), std::max(0.0, options_.near_miss_m));
+  return *pairs;
 }
 
 const std::vector<ObstaclePair>& CheckContext::meeting_pairs() const {
-  if (!derived_->pairs) derived_->pairs = pairs_of(outlines());
-  return *derived_->pairs;
+  auto& pairs = derived_->meeting_pairs;
+  if (!pairs) {
+    pairs = near_pairs();
+    std::erase_if(*pairs, [&](ObstaclePair p) { return !boxes_meet(box(p.first), box(p.second)); });
+  }
+  return *pairs;
 }
 
 const Nesting& CheckContext::nesting() const {

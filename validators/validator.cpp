@@ -17,7 +17,12 @@ constexpr std::array kChecks{
 }  // namespace
 
 std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options) {
-  const CheckContext context(document, options);
+  return validate(document, options, Proofs::kAll);
+}
+
+std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options,
+                              Proofs proofs) {
+  const CheckContext context(document, options, proofs);
   FindingSink sink(document);
   for (const auto check : kChecks) check(context, sink);
 

@@ -1,6 +1,7 @@
 // Whether a map is fit for a robot: runs every check of checks.def.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mapcore/finding.hpp"
@@ -45,5 +46,13 @@ struct ValidationOptions {
 /// only for large outlines that cross themselves (docs/checks/G104.md).
 /// Deterministic.
 std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options = {});
+
+/// Whether checks may pass over obstacles that are proven to be sound, which most are. What they
+/// find is the same.
+enum class Proofs : std::uint8_t { kAll, kNone };
+
+/// The same without proofs: every check looks at every obstacle. Slow; for tests.
+std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options,
+                              Proofs proofs);
 
 }  // namespace mapwright::validators

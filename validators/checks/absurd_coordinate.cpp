@@ -58,7 +58,7 @@ void check_obstacle(const CheckContext& context, std::size_t i, FindingSink& sin
 
 void check_absurd_coordinate(const CheckContext& context, FindingSink& sink) {
   check_border(context, sink);
-  for (std::size_t i = 0; i < context.map().obstacles.size(); ++i) check_obstacle(context, i, sink);
+  for (const auto i : context.in_doubt(Doubt::kCoordinates)) check_obstacle(context, i, sink);
 }
 
 }  // namespace mapwright::validators

@@ -6,7 +6,7 @@ namespace mapwright::validators {
 void check_absurd_height(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
   const double limit_m = context.options().max_height_m;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kHeights)) {
     for (std::size_t k = 0; k < obstacles[i].segments.size(); ++k) {
       const Segment& segment = obstacles[i].segments[k];
       if (segment.height_m <= limit_m) continue;

@@ -50,7 +50,7 @@ void report(const CheckContext& context, const std::string& kind,
 void check_below_laser(const CheckContext& context, FindingSink& sink) {
   std::map<std::string, std::vector<std::size_t>> missed_by_kind;
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kLow)) {
     if (is_missed(obstacles[i], context.options())) {
       missed_by_kind[kind_of(obstacles[i])].push_back(i);
     }

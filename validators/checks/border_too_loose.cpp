@@ -9,7 +9,7 @@ namespace mapwright::validators {
 // Measured against the map's own size too: a wide field around two huts may be meant.
 void check_border_too_loose(const CheckContext& context, FindingSink& sink) {
   if (!context.has_usable_border()) return;
-  const Box box = extent(context.map());
+  const Box box = context.survey().extent();
   if (box.is_empty()) return;
   const auto margins = margins_m(context.map().border, box);
   const double margin_m = *std::max_element(margins.begin(), margins.end());

@@ -6,18 +6,36 @@
 
 namespace mapwright::validators {
 
+namespace {
+
+// Around the solid outlines that come as near to the border or reach beyond it; others do not
+// change the answer. Empty where none of all obstacles comes near on some side.
+Box solids_at_border(const CheckContext& context, double limit_m) {
+  const Border& border = context.map().border;
+  const auto is_near = [&](double margin_m) { return margin_m <= limit_m; };
+  Box solids = kEmptyBox;
+  const auto all = margins_m(border, context.survey().extent());
+  if (!std::all_of(all.begin(), all.end(), is_near)) return solids;
+  for (std::size_t i = 0; i < context.map().obstacles.size(); ++i) {
+    const Box& box = context.box(i);
+    const auto margins = margins_m(border, box);
+    if (box.is_empty() || std::none_of(margins.begin(), margins.end(), is_near)) continue;
+    if (!context.outline(i).is_counter_clockwise_ring()) continue;
+    solids.add({box.min_x, box.min_y});
+    solids.add({box.max_x, box.max_y});
+  }
+  return solids;
+}
+
+}  // namespace
+
 // Only solids count: a room seen from inside may fill its border.
 void check_border_too_tight(const CheckContext& context, FindingSink& sink) {
   if (!context.has_usable_border()) return;
-  Box solids = kEmptyBox;
-  for (const Outline& outline : context.outlines()) {
-    if (!outline.is_counter_clockwise_ring()) continue;
-    solids.add({outline.box.min_x, outline.box.min_y});
-    solids.add({outline.box.max_x, outline.box.max_y});
-  }
+  const double limit_m = context.options().min_border_margin_m;
+  const Box solids = solids_at_border(context, limit_m);
   if (solids.is_empty()) return;
   const auto margins = margins_m(context.map().border, solids);
-  const double limit_m = context.options().min_border_margin_m;
   // Beyond the border is another finding (G109).
   const bool is_tight = std::all_of(margins.begin(), margins.end(),
                                     [&](double m) { return 0.0 <= m && m <= limit_m; });

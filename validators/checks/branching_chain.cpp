@@ -6,9 +6,9 @@ namespace mapwright::validators {
 
 void check_branching_chain(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kChain)) {
     const Obstacle& obstacle = obstacles[i];
-    if (obstacle.shape_type == ShapeType::kStairs || context.outlines()[i].is_joined ||
+    if (obstacle.shape_type == ShapeType::kStairs || context.outline(i).is_joined ||
         !context.is_complete(i)) {
       continue;
     }

@@ -25,9 +25,9 @@ void check_obstacle(const Obstacle& obstacle, std::size_t i, FindingSink& sink) 
 
 void check_broken_chain(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kChain)) {
     if (obstacles[i].shape_type == ShapeType::kStairs) continue;
-    const bool is_broken = !context.outlines()[i].is_joined && context.is_complete(i);
+    const bool is_broken = !context.outline(i).is_joined && context.is_complete(i);
     if (is_broken) check_obstacle(obstacles[i], i, sink);
   }
 }

@@ -5,8 +5,8 @@ namespace mapwright::validators {
 
 void check_degenerate_outline(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    const Outline& outline = context.outlines()[i];
+  for (const auto i : context.in_doubt(Doubt::kChain)) {
+    const Outline& outline = context.outline(i);
     if (!is_closed(obstacles[i].shape_type) || !outline.is_flat || !outline.closes ||
         !context.is_complete(i)) {
       continue;

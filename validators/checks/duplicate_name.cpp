@@ -1,3 +1,5 @@
+#include <bit>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -10,10 +12,17 @@ namespace mapwright::validators {
 namespace {
 
 // On another floor a name may stand again.
-std::string place_key(const Obstacle& obstacle, std::string_view name) {
-  const auto level = obstacle.semantic.value(semantic_key::kLevel).value_or("");
-  return std::string(name) + "," + std::string(level);
-}
+struct NameOnLevel {
+  std::string_view name, level;
+  friend bool operator==(const NameOnLevel&, const NameOnLevel&) = default;
+};
+
+struct NameHash {
+  std::size_t operator()(const NameOnLevel& name) const {
+    const std::hash<std::string_view> hash;
+    return hash(name.name) ^ std::rotl(hash(name.level), 31);
+  }
+};
 
 // The parts of one feature follow each other and say the same; its holes carry its name too.
 bool is_part_of(const Obstacle& obstacle, const Obstacle& before) {
@@ -23,12 +32,14 @@ bool is_part_of(const Obstacle& obstacle, const Obstacle& before) {
 }  // namespace
 
 void check_duplicate_name(const CheckContext& context, FindingSink& sink) {
+  if (!context.survey().names_may_repeat()) return;
   const auto& obstacles = context.map().obstacles;
-  std::unordered_map<std::string, std::size_t> first_of;
+  std::unordered_map<NameOnLevel, std::size_t, NameHash> first_of;
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const auto name = obstacles[i].semantic.value(semantic_key::kName);
     if (!name || name->empty() || obstacles[i].semantic.value(semantic_key::kInnerOf)) continue;
-    const auto [entry, is_new] = first_of.emplace(place_key(obstacles[i], *name), i);
+    const auto level = obstacles[i].semantic.value(semantic_key::kLevel).value_or("");
+    const auto [entry, is_new] = first_of.emplace(NameOnLevel{*name, level}, i);
     if (is_new || is_part_of(obstacles[i], obstacles[i - 1])) continue;
     const Obstacle& first = obstacles[entry->second];
     sink.obstacle(FindingCode::S125, i, ObstacleField::kSemantic,

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <unordered_map>
 
 #include "mapcore/defect_geometry.hpp"
@@ -7,21 +6,10 @@
 
 namespace mapwright::validators {
 
-namespace {
-
-// What convert writes, and most people: no two can be equal, and nothing need be remembered.
-bool ids_ascend(const std::vector<Obstacle>& obstacles) {
-  return std::adjacent_find(obstacles.begin(), obstacles.end(),
-                            [](const Obstacle& p, const Obstacle& q) { return p.id >= q.id; }) ==
-         obstacles.end();
-}
-
-}  // namespace
-
 void check_duplicate_obstacle_id(const CheckContext& context, FindingSink& sink) {
   const auto& document = context.document();
   const auto& obstacles = context.map().obstacles;
-  if (ids_ascend(obstacles)) return;
+  if (!context.survey().ids_may_repeat()) return;  // as convert writes them, and most people
   std::unordered_map<std::int64_t, std::size_t> first_with;
   first_with.reserve(obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i) {

@@ -5,7 +5,7 @@ namespace mapwright::validators {
 
 void check_empty_semantic(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kWords)) {
     if (obstacles[i].semantic.view().find_first_not_of(" \t\r\n,") != std::string_view::npos) {
       continue;
     }

@@ -26,9 +26,9 @@ std::string name_of(InOut side) {
 // Rooms and courtyards are clockwise rings: what stands in them is where they are.
 void check_in_out_mismatch(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.nesting().held_obstacles()) {
     const auto holder = context.nesting().holder(i);
-    if (!holder || !context.outlines()[*holder].is_clockwise_ring()) continue;
+    if (!holder || !context.outline(*holder).is_clockwise_ring()) continue;
     const auto side = side_of(obstacles[i]), around = side_of(obstacles[*holder]);
     if (!side || !around || *side == *around) continue;
     sink.segment(FindingCode::S126, i, 0, SegmentField::kInOut, obstacles[i].segments.front().a,

@@ -71,7 +71,7 @@ void check_segments(const Obstacle& obstacle, std::size_t i, FindingSink& sink) 
 
 void check_malformed_token(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kWords)) {
     if (const auto defect = defect_of(obstacles[i].semantic)) {
       sink.obstacle(FindingCode::S124, i, ObstacleField::kSemantic,
                     complaint(name_of(obstacles[i]), *defect));

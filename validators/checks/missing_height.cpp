@@ -7,7 +7,7 @@ namespace mapwright::validators {
 
 void check_missing_height(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kLow)) {
     const Obstacle& obstacle = obstacles[i];
     if (obstacle.shape_type == ShapeType::kStairs || obstacle.shape_type == ShapeType::kRamp) {
       continue;

@@ -40,10 +40,11 @@ std::vector<Slip> slips_in(const Semantic& semantic) {
 
 class Spelling {
  public:
-  explicit Spelling(const CheckContext& context) : obstacles_(context.map().obstacles) {}
+  explicit Spelling(const CheckContext& context)
+      : context_(context), obstacles_(context.map().obstacles) {}
 
   void look() {
-    for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    for (const auto i : context_.in_doubt(Doubt::kWords)) {
       add(obstacles_[i].semantic, {i, std::nullopt, nullptr});
       const char* last = nullptr;  // segments of an obstacle mostly share one string
       for (std::size_t k = 0; k < obstacles_[i].segments.size(); ++k) {
@@ -86,6 +87,7 @@ class Spelling {
     }
   }
 
+  const CheckContext& context_;
   const std::vector<Obstacle>& obstacles_;
   std::unordered_map<const char*, std::vector<Slip>> known_;  // by where the string lies
   std::vector<Occurrence> found_;

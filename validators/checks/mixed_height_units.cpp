@@ -52,6 +52,7 @@ void report(const CheckContext& context, std::size_t i, const std::string& suspi
 }  // namespace
 
 void check_mixed_height_units(const CheckContext& context, FindingSink& sink) {
+  if (context.in_doubt(Doubt::kHigh).empty()) return;
   const auto& obstacles = context.map().obstacles;
   const auto& options = context.options();
   std::vector<std::size_t> high;  // suspects

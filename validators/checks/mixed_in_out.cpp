@@ -23,9 +23,9 @@ std::size_t odd_one(const Obstacle& ring) {
 
 void check_mixed_in_out(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kMixedInOut)) {
     const Obstacle& obstacle = obstacles[i];
-    if (!context.outlines()[i].is_ring || obstacle.segments.size() < kLeastCorners) continue;
+    if (!context.outline(i).is_ring || obstacle.segments.size() < kLeastCorners) continue;
     const std::size_t k = odd_one(obstacle);
     if (k == obstacle.segments.size()) continue;
     const bool is_indoor = obstacle.segments[k].in_out == InOut::kIndoor;

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cstdint>
+#include <span>
+#include <tuple>
 #include <vector>
 
-#include "mapcore/geometry/segment_index.hpp"
 #include "validators/check.hpp"
 #include "validators/wording.hpp"
 
@@ -21,27 +22,29 @@ struct End {
   std::size_t other_segment = 0;
 };
 
-std::vector<End> ends_of_chains(const CheckContext& context) {
-  std::vector<End> ends;
+// An open chain, and an obstacle that may come near to it.
+struct Contact {
+  std::uint32_t chain, other;
+};
+
+// By chain, then by the other.
+std::vector<Contact> contacts_of(const CheckContext& context) {
   const auto& obstacles = context.map().obstacles;
-  for (std::uint32_t i = 0; i < obstacles.size(); ++i) {
-    const auto& segments = obstacles[i].segments;
-    if (!is_open_chain(obstacles[i].shape_type) || segments.empty()) continue;
-    ends.push_back({i, 0, true, segments.front().a});
-    ends.push_back({i, segments.size() - 1, false, segments.back().b});
+  const auto is_chain = [&](std::uint32_t i) {
+    return is_open_chain(obstacles[i].shape_type) && !obstacles[i].segments.empty();
+  };
+  std::vector<Contact> contacts;
+  for (const auto i : context.in_doubt(Doubt::kEndNearItself)) {
+    if (is_chain(i)) contacts.push_back({i, i});
   }
-  return ends;
-}
-
-SegmentIndex index_over(const std::vector<End>& ends) {
-  std::vector<IndexedSegment> points;
-  points.reserve(ends.size());
-  for (std::uint32_t i = 0; i < ends.size(); ++i) points.push_back({ends[i].at, ends[i].at, i});
-  return SegmentIndex(std::move(points));
-}
-
-Box box_around(Point p, double by_m) {
-  return Box{p.x, p.y, p.x, p.y}.inflated(by_m);
+  for (const auto [first, second] : context.near_pairs()) {
+    if (is_chain(first)) contacts.push_back({first, second});
+    if (is_chain(second)) contacts.push_back({second, first});
+  }
+  std::sort(contacts.begin(), contacts.end(), [](const Contact& p, const Contact& q) {
+    return std::tie(p.chain, p.other) < std::tie(q.chain, q.other);
+  });
+  return contacts;
 }
 
 class NearMisses {
@@ -50,25 +53,34 @@ class NearMisses {
       : context_(context),
         obstacles_(context.map().obstacles),
         reach_m_(context.options().near_miss_m),
-        touch_m_(context.options().overlap_depth_m),
-        ends_(ends_of_chains(context)) {}
+        touch_m_(context.options().overlap_depth_m) {}
 
   // The ends that come near something without touching anything, in the order of the map.
   std::vector<End> found() {
-    if (ends_.empty()) return {};
-    for (auto& end : ends_) end.gap_m = 2.0 * reach_m_;
-    const SegmentIndex index = index_over(ends_);
-    for (std::uint32_t i = 0; i < obstacles_.size(); ++i) {
-      index.query(context_.outlines()[i].box.inflated(reach_m_), [&](std::size_t k) {
-        look_at(i, ends_[index[k].tag]);
-        return true;
+    const auto contacts = contacts_of(context_);
+    for (auto first = contacts.begin(); first != contacts.end();) {
+      const auto last = std::find_if(first, contacts.end(), [&](const Contact& contact) {
+        return contact.chain != first->chain;
       });
+      const auto& segments = obstacles_[first->chain].segments;
+      look_at({first, last}, {first->chain, 0, true, segments.front().a});
+      look_at({first, last}, {first->chain, segments.size() - 1, false, segments.back().b});
+      first = last;
     }
-    std::erase_if(ends_, [&](const End& end) { return end.is_joined || !(end.gap_m <= reach_m_); });
-    return std::move(ends_);
+    return std::move(found_);
   }
 
  private:
+  void look_at(std::span<const Contact> contacts, End end) {
+    end.gap_m = 2.0 * reach_m_;
+    for (const Contact& contact : contacts) {
+      if (context_.box(contact.other).inflated(reach_m_).contains(end.at)) {
+        look_at(contact.other, end);
+      }
+    }
+    if (!end.is_joined && end.gap_m <= reach_m_) found_.push_back(end);
+  }
+
   // Touching, or crossing (an end that reaches beyond), is joining.
   void look_at(std::uint32_t obstacle, End& end) const {
     const Segment& own = obstacles_[end.obstacle].segments[end.segment];
@@ -86,6 +98,8 @@ class NearMisses {
     });
   }
 
+  static Box box_around(Point p, double by_m) { return Box{p.x, p.y, p.x, p.y}.inflated(by_m); }
+
   static bool is_neighbour(std::size_t k, const End& end) {
     return k == end.segment || (end.is_start ? k == end.segment + 1 : k + 1 == end.segment);
   }
@@ -93,7 +107,7 @@ class NearMisses {
   const CheckContext& context_;
   const std::vector<Obstacle>& obstacles_;
   double reach_m_, touch_m_;
-  std::vector<End> ends_;
+  std::vector<End> found_;
 };
 
 void report(const CheckContext& context, const End& end, FindingSink& sink) {

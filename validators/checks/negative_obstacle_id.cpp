@@ -5,7 +5,7 @@ namespace mapwright::validators {
 
 void check_negative_obstacle_id(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kNegativeId)) {
     if (obstacles[i].id >= 0) continue;
     sink.obstacle(FindingCode::S102, i, ObstacleField::kId,
                   name_of(obstacles[i]) + " has an id below zero; number obstacles from 0 or 1 on");

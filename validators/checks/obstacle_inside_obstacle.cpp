@@ -33,9 +33,8 @@ void check_solid(const CheckContext& context, std::uint32_t solid, FindingSink& 
 
 // Of nested obstacles each is told of once, with the one right around it.
 void check_obstacle_inside_obstacle(const CheckContext& context, FindingSink& sink) {
-  for (std::uint32_t i = 0; i < context.map().obstacles.size(); ++i) {
-    if (context.nesting().held(i).empty() || body_of(context, i) != Body::kSolid) continue;
-    check_solid(context, i, sink);
+  for (const auto i : context.nesting().holders()) {
+    if (body_of(context, i) == Body::kSolid) check_solid(context, i, sink);
   }
 }
 

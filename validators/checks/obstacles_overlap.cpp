@@ -1,6 +1,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 
 #include "mapcore/defect_geometry.hpp"
 #include "validators/check.hpp"
@@ -19,11 +20,10 @@ class Overlaps {
       : context_(context),
         obstacles_(context.map().obstacles),
         depth_m_(context.options().overlap_depth_m),
-        bodies_(bodies_of(context)),
         sink_(sink) {}
 
   void check(ObstaclePair pair) {
-    const Body first = bodies_[pair.first], second = bodies_[pair.second];
+    const Body first = body(pair.first), second = body(pair.second);
     if (first == Body::kSolid || second == Body::kSolid) {
       if (is_solid_or_wall(first) && is_solid_or_wall(second)) check_solid(pair);
     }
@@ -36,8 +36,8 @@ class Overlaps {
 
   // Rooms against all else, and courtyards against their own building and its other courtyards.
   // What else a courtyard meets, it meets as a part of its building.
-  bool is_crossing_candidate(ObstaclePair pair) const {
-    const Body first = bodies_[pair.first], second = bodies_[pair.second];
+  bool is_crossing_candidate(ObstaclePair pair) {
+    const Body first = body(pair.first), second = body(pair.second);
     if (first == Body::kNone || second == Body::kNone) return false;
     if (first == Body::kRoom || second == Body::kRoom) {
       return first != Body::kHole && second != Body::kHole;
@@ -53,16 +53,16 @@ class Overlaps {
   void check_solid(ObstaclePair pair) {
     const auto [first, second] = pair;
     if (is_wholly_inside(second, first) || is_wholly_inside(first, second)) return;
-    if (bodies_[first] == Body::kSolid) {
+    if (body(first) == Body::kSolid) {
       if (const auto reach = reach_into(context_, region(first), second, depth_m_)) {
         return report(second, first, *reach);
       }
     }
-    if (bodies_[second] != Body::kSolid) return;
+    if (body(second) != Body::kSolid) return;
     if (const auto reach = reach_into(context_, region(second), first, depth_m_)) {
       return report_reached(second, first, *reach);
     }
-    if (bodies_[first] == Body::kSolid && is_same_ground(first, second)) {
+    if (body(first) == Body::kSolid && is_same_ground(first, second)) {
       sink_.obstacle(FindingCode::G108, second, ObstacleField::kKeyword,
                      name_of(obstacles_[second]) + " covers the same ground as " +
                          name_of(obstacles_[first]) + "; remove one of them");
@@ -72,19 +72,25 @@ class Overlaps {
 
   // G124 tells of those.
   bool is_wholly_inside(std::uint32_t obstacle, std::uint32_t solid) {
-    return bodies_[solid] == Body::kSolid && holds(context_, solid, obstacle) &&
+    return body(solid) == Body::kSolid && holds(context_, solid, obstacle) &&
            lies_wholly_inside(context_, region(solid), obstacle, depth_m_);
   }
 
   // A hollow ring and an obstacle that lies neither inside nor outside of it as a whole.
   void check_crossing(ObstaclePair pair) {
-    const bool first_is_ring = is_hollow(bodies_[pair.first]);
+    const bool first_is_ring = is_hollow(body(pair.first));
     const std::uint32_t ring = first_is_ring ? pair.first : pair.second;
     const std::uint32_t other = first_is_ring ? pair.second : pair.first;
     const auto reach = reach_across(context_, ring, other, depth_m_);
     if (!reach) return;
     first_is_ring ? report(pair.second, pair.first, *reach)
                   : report_reached(pair.second, pair.first, *reach);
+  }
+
+  Body body(std::uint32_t i) {
+    const auto found = bodies_.find(i);
+    if (found != bodies_.end()) return found->second;
+    return bodies_.emplace(i, body_of(context_, i)).first->second;
   }
 
   const Region& region(std::uint32_t solid) {
@@ -140,7 +146,7 @@ class Overlaps {
   const CheckContext& context_;
   const std::vector<Obstacle>& obstacles_;
   double depth_m_;
-  std::vector<Body> bodies_;
+  std::unordered_map<std::uint32_t, Body> bodies_;
   FindingSink& sink_;
   std::map<std::uint32_t, Region> regions_;
 };

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "validators/check.hpp"
 #include "validators/wording.hpp"
@@ -9,7 +11,35 @@
 namespace mapwright::validators {
 namespace {
 
-using Positions = std::unordered_multimap<std::int64_t, std::size_t>;
+// Obstacles by their ids.
+class Ids {
+ public:
+  explicit Ids(const CheckContext& context) : obstacles_(context.map().obstacles) {
+    if (!context.survey().ids_may_repeat()) return;
+    for (std::size_t i = 0; i < obstacles_.size(); ++i) positions_.emplace(obstacles_[i].id, i);
+    are_in_order_ = false;
+  }
+
+  std::vector<std::size_t> with(std::int64_t id) const {
+    std::vector<std::size_t> found;
+    if (are_in_order_) {
+      const auto at = std::lower_bound(obstacles_.begin(), obstacles_.end(), id,
+                                       [](const Obstacle& o, std::int64_t i) { return o.id < i; });
+      if (at != obstacles_.end() && at->id == id) {
+        found.push_back(static_cast<std::size_t>(at - obstacles_.begin()));
+      }
+    } else {
+      const auto [from, to] = positions_.equal_range(id);
+      for (auto at = from; at != to; ++at) found.push_back(at->second);
+    }
+    return found;
+  }
+
+ private:
+  const std::vector<Obstacle>& obstacles_;
+  bool are_in_order_ = true;
+  std::unordered_multimap<std::int64_t, std::size_t> positions_;  // where they are not
+};
 
 bool has_outer(const Obstacle& obstacle) {
   return obstacle.semantic.value(semantic_key::kInnerOf).has_value();
@@ -22,26 +52,20 @@ std::optional<std::int64_t> outer_id(std::string_view text) {
   return id;
 }
 
-Positions positions_by_id(const Map& map) {
-  Positions positions;
-  for (std::size_t i = 0; i < map.obstacles.size(); ++i) positions.emplace(map.obstacles[i].id, i);
-  return positions;
-}
-
 // What is wrong with the token; nothing where an outline of that id holds the ring.
-std::optional<std::string> defect_of(const CheckContext& context, const Positions& positions,
+std::optional<std::string> defect_of(const CheckContext& context, const Ids& ids,
                                      std::size_t inner) {
   const auto& obstacles = context.map().obstacles;
   const auto token = obstacles[inner].semantic.value(semantic_key::kInnerOf).value();
   const auto id = outer_id(token);
   if (!id) return "'" + std::string(token) + "' is not the id of an obstacle";
-  const auto [from, to] = positions.equal_range(*id);
-  if (from == to) return "there is no obstacle " + std::to_string(*id);
-  for (auto outer = from; outer != to; ++outer) {
-    const bool is_ring = context.outlines()[outer->second].is_ring;
+  const auto outers = ids.with(*id);
+  if (outers.empty()) return "there is no obstacle " + std::to_string(*id);
+  for (const std::size_t outer : outers) {
+    const bool is_ring = context.outline(outer).is_ring;
     // An outline that is broken itself is told of by others.
-    if (!is_ring && is_closed(obstacles[outer->second].shape_type)) return std::nullopt;
-    if (holds(context, outer->second, inner)) return std::nullopt;
+    if (!is_ring && is_closed(obstacles[outer].shape_type)) return std::nullopt;
+    if (holds(context, outer, inner)) return std::nullopt;
   }
   return "obstacle " + std::to_string(*id) + " is no outline around it";
 }
@@ -50,11 +74,11 @@ std::optional<std::string> defect_of(const CheckContext& context, const Position
 
 void check_orphan_inner_ring(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  std::optional<Positions> positions;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  std::optional<Ids> ids;
+  for (const auto i : context.in_doubt(Doubt::kInnerRing)) {
     if (!has_outer(obstacles[i])) continue;
-    if (!positions) positions = positions_by_id(context.map());
-    if (const auto defect = defect_of(context, *positions, i)) {
+    if (!ids) ids.emplace(context);
+    if (const auto defect = defect_of(context, *ids, i)) {
       sink.obstacle(FindingCode::S105, i, ObstacleField::kSemantic,
                     name_of(obstacles[i]) + " calls itself an inner ring, but " + *defect +
                         "; correct inner_of or take it away");

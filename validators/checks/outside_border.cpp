@@ -43,8 +43,10 @@ void report_first_beyond(const CheckContext& context, std::size_t i, FindingSink
 
 void check_outside_border(const CheckContext& context, FindingSink& sink) {
   if (!context.has_usable_border()) return;
+  const Box& all = context.survey().extent();
+  if (all.is_empty() || lies_within(all, context.map().border)) return;
   for (std::size_t i = 0; i < context.map().obstacles.size(); ++i) {
-    const Box& box = context.outlines()[i].box;
+    const Box& box = context.box(i);
     if (box.is_empty() || lies_within(box, context.map().border)) continue;
     report_first_beyond(context, i, sink);
   }

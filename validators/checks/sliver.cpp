@@ -7,8 +7,8 @@ namespace mapwright::validators {
 void check_sliver(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
   const double limit_m = context.options().sliver_width_m;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    const Outline& outline = context.outlines()[i];
+  for (const auto i : context.in_doubt(Doubt::kChain)) {
+    const Outline& outline = context.outline(i);
     if (!outline.is_ring) continue;
     const double width_m = mean_width_m(outline);
     if (width_m > limit_m) continue;

@@ -1,25 +1,10 @@
-#include <algorithm>
-#include <cmath>
-
 #include "validators/check.hpp"
 #include "validators/shape/outline.hpp"
+#include "validators/shape/spike_gap.hpp"
 #include "validators/wording.hpp"
 
 namespace mapwright::validators {
 namespace {
-
-// Tangent of the sharpest corner that is no spike whatever its arms: about 10°.
-constexpr double kSharp = 0.18;
-
-// Distance between the arms of a corner where the shorter one ends; infinite where they open wide
-// or the corner is smaller than the limit itself. Arms that lie on each other are told of by G104.
-double gap_m(Point u, Point v, double limit_m) {
-  const double along = dot(u, v), across = std::abs(cross(u, v));
-  if (along <= 0.0 || across == 0.0 || across > kSharp * along) return HUGE_VAL;
-  const double shorter_m = std::min(length(u), length(v)),
-               longer_m = std::max(length(u), length(v));
-  return shorter_m <= limit_m ? HUGE_VAL : across / longer_m;
-}
 
 void check_obstacle(const CheckContext& context, std::size_t i, FindingSink& sink) {
   const Obstacle& obstacle = context.map().obstacles[i];
@@ -29,7 +14,7 @@ void check_obstacle(const CheckContext& context, std::size_t i, FindingSink& sin
     const Segment& before = segments[k == 0 ? segments.size() - 1 : k - 1];
     const Segment& segment = segments[k];
     if (before.b != segment.a) continue;
-    const double gap = gap_m(before.a - segment.a, segment.b - segment.a, limit_m);
+    const double gap = spike_gap_m(before.a - segment.a, segment.b - segment.a, limit_m);
     if (gap > limit_m) continue;
     sink.segment(FindingCode::G121, i, k,
                  name_of(obstacle, k) + " runs back along the one before it, at most " +
@@ -44,9 +29,9 @@ void check_obstacle(const CheckContext& context, std::size_t i, FindingSink& sin
 // Slivers have two spikes; G122 tells of them.
 void check_spike(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kSpike)) {
     if (obstacles[i].shape_type == ShapeType::kStairs) continue;
-    const Outline& outline = context.outlines()[i];
+    const Outline& outline = context.outline(i);
     if (outline.is_ring && mean_width_m(outline) <= context.options().sliver_width_m) continue;
     check_obstacle(context, i, sink);
   }

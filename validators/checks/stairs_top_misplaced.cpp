@@ -1,5 +1,6 @@
 #include "validators/check.hpp"
 #include "validators/shape/each_of_kind.hpp"
+#include "validators/shape/flight.hpp"
 #include "validators/wording.hpp"
 
 namespace mapwright::validators {
@@ -14,11 +15,9 @@ std::size_t highest(const Flight& flight) {
   return flight.rises ? flight.steps.size() - 1 : 0;
 }
 
-// How far p lies behind the highest step: positive above it, where its left is (the free, lower
-// side of a step is its right; steps that are drawn the other way round are T106).
+// Steps that are drawn the other way round are T106.
 double behind_m(const Segment& step, bool faces_as_most, Point p) {
-  const Point along = step.b - step.a;
-  const double left_m = cross(along, p - middle(step)) / length(along);
+  const double left_m = validators::behind_m(step, p);
   return faces_as_most ? left_m : -left_m;
 }
 

@@ -6,10 +6,10 @@ namespace mapwright::validators {
 
 void check_unclosed_shape(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kChain)) {
     const auto& segments = obstacles[i].segments;
     if (!is_closed(obstacles[i].shape_type) || segments.empty()) continue;
-    if (context.outlines()[i].closes || !context.is_complete(i)) continue;
+    if (context.outline(i).closes || !context.is_complete(i)) continue;
     const Point end = segments.back().b;
     const Point start = segments.front().a;
     sink.segment(FindingCode::G105, i, segments.size() - 1, SegmentField::kBx, end,

@@ -31,7 +31,7 @@ void check_segments(const Obstacle& obstacle, std::size_t i, FindingSink& sink) 
 
 void check_unreadable_semantic(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kWords)) {
     if (const auto defect = unreadable_part(obstacles[i].semantic.view())) {
       sink.obstacle(FindingCode::S104, i, ObstacleField::kSemantic,
                     complaint(name_of(obstacles[i]), *defect));

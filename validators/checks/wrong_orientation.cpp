@@ -22,12 +22,12 @@ bool is_all_indoor(const Obstacle& obstacle) {
 class Orientation {
  public:
   explicit Orientation(const CheckContext& context)
-      : context_(context), obstacles_(context.map().obstacles), outlines_(context.outlines()) {}
+      : context_(context), obstacles_(context.map().obstacles) {}
 
   // What is wrong with the direction of a ring; empty where nothing is.
   std::string defect_of(std::size_t ring) const {
     const Obstacle& obstacle = obstacles_[ring];
-    const bool clockwise = outlines_[ring].is_clockwise_ring();
+    const bool clockwise = context_.outline(ring).is_clockwise_ring();
     if (obstacle.shape_type == ShapeType::kRamp) {
       return clockwise ? " runs clockwise, but the footprint of a ramp runs counter-clockwise" : "";
     }
@@ -42,7 +42,7 @@ class Orientation {
   // A clockwise ring without inner_of: a courtyard, or a room seen from inside?
   bool is_hollow(std::size_t ring) const {
     const auto holder = context_.nesting().holder(ring);
-    if (holder && outlines_[*holder].is_counter_clockwise_ring()) return true;
+    if (holder && context_.outline(*holder).is_counter_clockwise_ring()) return true;
     if (holds_something(ring)) return true;
     return !holder && (is_all_indoor(obstacles_[ring]) || fills_the_map(ring));
   }
@@ -52,25 +52,24 @@ class Orientation {
   bool holds_something(std::size_t ring) const {
     const auto& held = context_.nesting().held(ring);
     return std::any_of(held.begin(), held.end(), [&](std::uint32_t i) {
-      if (!outlines_[i].is_clockwise_ring()) return true;
+      if (!context_.outline(i).is_clockwise_ring()) return true;
       return !is_inner_ring(obstacles_[i]) && context_.nesting().held(i).empty();
     });
   }
 
   bool fills_the_map(std::size_t ring) const {
     return context_.has_usable_border() &&
-           outlines_[ring].area_m2 > 0.5 * context_.map().border.area_m2();
+           context_.outline(ring).area_m2 > 0.5 * context_.map().border.area_m2();
   }
 
   const CheckContext& context_;
   const std::vector<Obstacle>& obstacles_;
-  const std::vector<Outline>& outlines_;
 };
 
 void check_rings(const CheckContext& context, FindingSink& sink) {
   const Orientation orientation(context);
-  for (std::size_t i = 0; i < context.map().obstacles.size(); ++i) {
-    if (!context.outlines()[i].is_ring) continue;
+  for (const auto i : context.in_doubt(Doubt::kChain)) {
+    if (!context.outline(i).is_ring) continue;
     const std::string defect = orientation.defect_of(i);
     if (defect.empty()) continue;
     sink.obstacle(FindingCode::G107, i, ObstacleField::kKeyword,

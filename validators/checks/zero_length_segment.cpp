@@ -5,7 +5,7 @@ namespace mapwright::validators {
 
 void check_zero_length_segment(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.in_doubt(Doubt::kZeroLength)) {
     for (std::size_t k = 0; k < obstacles[i].segments.size(); ++k) {
       const Segment& segment = obstacles[i].segments[k];
       if (segment.a != segment.b) continue;

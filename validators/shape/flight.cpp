@@ -80,12 +80,19 @@ std::vector<Riser> risers_of(const Obstacle& stairs, const Flight& flight) {
   return risers;
 }
 
-double tread_m(const Obstacle& stairs, const Riser& lower, const Riser& upper) {
-  const Segment& p = stairs.segments[lower.pieces.front()];
-  const Segment& q = stairs.segments[upper.pieces.front()];
-  const Point along = p.b - p.a;
-  const Point to_upper = 0.5 * (q.a + q.b) - 0.5 * (p.a + p.b);
+double tread_m(const Segment& lower, const Segment& upper) {
+  const Point along = lower.b - lower.a;
+  const Point to_upper = 0.5 * (upper.a + upper.b) - 0.5 * (lower.a + lower.b);
   return std::abs(cross(along, to_upper)) / length(along);
+}
+
+double tread_m(const Obstacle& stairs, const Riser& lower, const Riser& upper) {
+  return tread_m(stairs.segments[lower.pieces.front()], stairs.segments[upper.pieces.front()]);
+}
+
+double behind_m(const Segment& step, Point p) {
+  const Point along = step.b - step.a;
+  return cross(along, p - 0.5 * (step.a + step.b)) / length(along);
 }
 
 bool rises_plausibly(const std::vector<Riser>& risers, double min_rise_m, double max_rise_m) {

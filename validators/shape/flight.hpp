@@ -40,6 +40,13 @@ struct Riser {
 /// The risers, from the foot up.
 std::vector<Riser> risers_of(const Obstacle& stairs, const Flight& flight);
 
+/// How far the middle of one step lies behind another, across that one; metres, positive.
+double tread_m(const Segment& lower, const Segment& upper);
+
+/// How far p lies behind a step: positive above it, where its left is (the free, lower side of a
+/// step is its right); negative in front of it.
+double behind_m(const Segment& step, Point p);
+
 /// How far one riser lies behind another, across the lower one's first piece; metres, positive.
 double tread_m(const Obstacle& stairs, const Riser& lower, const Riser& upper);
 

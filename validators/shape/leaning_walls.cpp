@@ -21,7 +21,7 @@ std::vector<Contact> contacts_of(const CheckContext& context) {
   const auto& obstacles = context.map().obstacles;
   const auto is_wall = [&](std::size_t i) { return is_open_chain(obstacles[i].shape_type); };
   const auto is_ring = [&](std::size_t i) {
-    return context.outlines()[i].is_ring && obstacles[i].shape_type != ShapeType::kRamp;
+    return context.outline(i).is_ring && obstacles[i].shape_type != ShapeType::kRamp;
   };
   std::vector<Contact> contacts;
   for (const auto [first, second] : context.meeting_pairs()) {
@@ -126,15 +126,13 @@ void check_wall(const CheckContext& context, std::size_t wall, const Rings& ring
 
 void check_leaning_walls(const CheckContext& context, FindingSink& sink) {
   const auto contacts = contacts_of(context);
-  const auto& obstacles = context.map().obstacles;
   auto contact = contacts.begin();
-  for (std::uint32_t i = 0; i < obstacles.size(); ++i) {
+  for (const auto i : context.survey().open_chains()) {
     Rings rings;
     for (; contact != contacts.end() && contact->wall == i; ++contact)
       rings.push_back(contact->ring);
-    if (!is_open_chain(obstacles[i].shape_type)) continue;
-    const bool on_border = context.has_usable_border() &&
-                           touches_border(context.outlines()[i].box, context.map().border);
+    const bool on_border =
+        context.has_usable_border() && touches_border(context.box(i), context.map().border);
     if (on_border || !rings.empty()) check_wall(context, i, rings, on_border, sink);
   }
 }

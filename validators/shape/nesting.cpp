@@ -1,5 +1,7 @@
 #include "validators/shape/nesting.hpp"
 
+#include <algorithm>
+
 #include "validators/check.hpp"
 
 namespace mapwright::validators {
@@ -19,8 +21,8 @@ Point probe(const Obstacle& obstacle, const Outline& outline) {
 }  // namespace
 
 bool holds(const CheckContext& context, std::size_t ring, std::size_t obstacle) {
-  const Outline& outer = context.outlines()[ring];
-  const Outline& inner = context.outlines()[obstacle];
+  const Outline& outer = context.outline(ring);
+  const Outline& inner = context.outline(obstacle);
   if (ring == obstacle || !outer.is_ring || inner.box.is_empty()) return false;
   const double slack_m = context.options().overlap_depth_m;
   if (!lies_in_box(inner.box, outer.box.inflated(slack_m))) return false;
@@ -29,30 +31,37 @@ bool holds(const CheckContext& context, std::size_t ring, std::size_t obstacle) 
   return context.edges(ring).side(p) == PointSide::kInside;
 }
 
-Nesting::Nesting(const CheckContext& context)
-    : holder_(context.map().obstacles.size(), kNone), held_(context.map().obstacles.size()) {
-  const auto& outlines = context.outlines();
+Nesting::Nesting(const CheckContext& context) {
   const auto consider = [&](std::uint32_t ring, std::uint32_t obstacle) {
-    const std::uint32_t old = holder_[obstacle];
-    if (old != kNone && outlines[old].area_m2 <= outlines[ring].area_m2) return;
+    const auto old = holder_.find(obstacle);
+    if (old != holder_.end() &&
+        context.outline(old->second).area_m2 <= context.outline(ring).area_m2) {
+      return;
+    }
     if (holds(context, ring, obstacle)) holder_[obstacle] = ring;
   };
   for (const auto [first, second] : context.meeting_pairs()) {
     consider(first, second);
     consider(second, first);
   }
-  for (std::uint32_t i = 0; i < holder_.size(); ++i) {
-    if (holder_[i] != kNone) held_[holder_[i]].push_back(i);
+  for (const auto& [obstacle, ring] : holder_) {
+    held_obstacles_.push_back(static_cast<std::uint32_t>(obstacle));
   }
+  std::sort(held_obstacles_.begin(), held_obstacles_.end());
+  for (const auto obstacle : held_obstacles_) held_[holder_[obstacle]].push_back(obstacle);
+  for (const auto& [ring, held] : held_) holders_.push_back(static_cast<std::uint32_t>(ring));
+  std::sort(holders_.begin(), holders_.end());
 }
 
 std::optional<std::size_t> Nesting::holder(std::size_t obstacle) const {
-  if (holder_[obstacle] == kNone) return std::nullopt;
-  return holder_[obstacle];
+  const auto found = holder_.find(obstacle);
+  if (found == holder_.end()) return std::nullopt;
+  return found->second;
 }
 
 const std::vector<std::uint32_t>& Nesting::held(std::size_t ring) const {
-  return held_[ring];
+  const auto found = held_.find(ring);
+  return found == held_.end() ? none_ : found->second;
 }
 
 }  // namespace mapwright::validators

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "mapcore/map.hpp"
@@ -23,10 +24,14 @@ class Nesting {
   /// Positions of the obstacles that a ring holds directly, ascending.
   const std::vector<std::uint32_t>& held(std::size_t ring) const;
 
+  /// Positions of all obstacles that a ring holds, and of all rings that hold one; ascending.
+  const std::vector<std::uint32_t>& held_obstacles() const { return held_obstacles_; }
+  const std::vector<std::uint32_t>& holders() const { return holders_; }
+
  private:
-  static constexpr std::uint32_t kNone = UINT32_MAX;
-  std::vector<std::uint32_t> holder_;
-  std::vector<std::vector<std::uint32_t>> held_;
+  std::unordered_map<std::size_t, std::uint32_t> holder_;
+  std::unordered_map<std::size_t, std::vector<std::uint32_t>> held_;
+  std::vector<std::uint32_t> held_obstacles_, holders_, none_;
 };
 
 /// True if the ring at position `ring` holds the obstacle at position `obstacle`.

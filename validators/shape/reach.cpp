@@ -55,7 +55,7 @@ std::optional<Reach> reach_into(const CheckContext& context, const Region& regio
                                 std::uint32_t obstacle, double depth_m) {
   const auto edges = [&](const Box& box, const auto& visit) { region.visit_edges(box, visit); };
   return first_piece(
-      context, obstacle, context.outlines()[region.outer()].box, edges, [&](const Piece& piece) {
+      context, obstacle, context.box(region.outer()), edges, [&](const Piece& piece) {
         return !is_too_short(piece, depth_m) && region.holds(piece.middle(), depth_m);
       });
 }
@@ -75,7 +75,7 @@ std::optional<Reach> reach_across(const CheckContext& context, std::uint32_t rin
     const PointSide side = outline.side(piece.middle());
     return std::exchange(side_before, side).value_or(side) != side;
   };
-  return first_piece(context, obstacle, context.outlines()[ring].box, edges, changes_side);
+  return first_piece(context, obstacle, context.box(ring), edges, changes_side);
 }
 
 bool lies_wholly_inside(const CheckContext& context, const Region& region, std::uint32_t obstacle,

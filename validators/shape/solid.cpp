@@ -13,7 +13,7 @@ bool is_high(const Segment& segment) {
 
 Body body_of(const CheckContext& context, std::size_t i) {
   const Obstacle& obstacle = context.map().obstacles[i];
-  const Outline& outline = context.outlines()[i];
+  const Outline& outline = context.outline(i);
   const auto& segments = obstacle.segments;
   if (obstacle.shape_type == ShapeType::kRamp ||
       !std::any_of(segments.begin(), segments.end(), is_high)) {
@@ -24,17 +24,8 @@ Body body_of(const CheckContext& context, std::size_t i) {
   }
   if (outline.is_counter_clockwise_ring()) return Body::kSolid;
   const auto holder = context.nesting().holder(i);
-  const bool in_solid = holder && context.outlines()[*holder].is_counter_clockwise_ring();
+  const bool in_solid = holder && context.outline(*holder).is_counter_clockwise_ring();
   return in_solid ? Body::kHole : Body::kRoom;
-}
-
-std::vector<Body> bodies_of(const CheckContext& context) {
-  std::vector<Body> bodies;
-  bodies.reserve(context.map().obstacles.size());
-  for (std::size_t i = 0; i < context.map().obstacles.size(); ++i) {
-    bodies.push_back(body_of(context, i));
-  }
-  return bodies;
 }
 
 Region::Region(const CheckContext& context, std::uint32_t outer, std::vector<std::uint32_t> holes)
@@ -43,7 +34,7 @@ Region::Region(const CheckContext& context, std::uint32_t outer, std::vector<std
   std::vector<IndexedSegment> diagonals;
   diagonals.reserve(holes.size());
   for (const auto hole : holes) {
-    const Box& box = context.outlines()[hole].box;
+    const Box& box = context.box(hole);
     diagonals.push_back({{box.min_x, box.min_y}, {box.max_x, box.max_y}, hole});
   }
   holes_ = std::make_shared<SegmentIndex>(std::move(diagonals));
@@ -58,7 +49,7 @@ void Region::for_each_hole(const Box& box, const std::function<void(std::uint32_
 }
 
 bool Region::holds(Point p, double depth_m) const {
-  if (!context_.outlines()[outer_].box.contains(p)) return false;
+  if (!context_.box(outer_).contains(p)) return false;
   const EdgeFinder& outer = context_.edges(outer_);
   if (outer.side(p) != PointSide::kInside || outer.distance_m(p) <= depth_m) return false;
   bool is_free = false;

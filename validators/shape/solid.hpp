@@ -21,11 +21,8 @@ enum class Body : std::uint8_t {
   kWall,   ///< segments without inside: open walls, stairs, broken outlines
 };
 
-/// The body of one obstacle; see `bodies_of`.
+/// The body of an obstacle. Rings count as such when all their segments are higher than 0.
 Body body_of(const CheckContext& context, std::size_t obstacle);
-
-/// The bodies of all obstacles. Rings count as such when all their segments are higher than 0.
-std::vector<Body> bodies_of(const CheckContext& context);
 
 /// A solid ring without its holes. The context must outlive it.
 class Region {

@@ -1,0 +1,130 @@
+#include "validators/survey/word_proof.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <utility>
+
+#include "validators/characters.hpp"
+#include "validators/vocabulary.hpp"
+
+namespace mapwright::validators {
+namespace {
+
+constexpr std::string_view kBlank = " \t\r\n";
+
+// Words beyond these are judged again each time: a map of names without end must not fill memory.
+constexpr std::size_t kMostWords = 4096;
+
+constexpr std::array kKeys{semantic_key::kInnerOf, semantic_key::kNormal, semantic_key::kLevel,
+                           semantic_key::kSource, semantic_key::kName};
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && kBlank.find(text.front()) != kBlank.npos) text.remove_prefix(1);
+  while (!text.empty() && kBlank.find(text.back()) != kBlank.npos) text.remove_suffix(1);
+  return text;
+}
+
+// Answers `judge(word)`, from memory where it can.
+template <class Judge>
+bool remembered(std::unordered_map<std::string_view, bool>& words, std::string_view word,
+                const Judge& judge) {
+  const auto found = words.find(word);
+  if (found != words.end()) return found->second;
+  const bool answer = judge(word);
+  if (words.size() < kMostWords) words.emplace(word, answer);
+  return answer;
+}
+
+std::size_t slot_of(const char* text, std::size_t slots) {
+  constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+  const auto address = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(text));
+  return (address * kGolden >> 32U) % slots;
+}
+
+}  // namespace
+
+bool WordProver::are_sound(const Semantic& semantic) {
+  const std::string_view text = semantic.view();
+  Known& known = known_[slot_of(text.data(), kKnown)];
+  if (known.text == text.data()) return known.is_sound;
+  // An empty string is a defect of obstacles alone.
+  known = {text.data(), text.empty() || words_of(semantic).are_sound};
+  return known.is_sound;
+}
+
+Words WordProver::words_of(const Semantic& semantic) {
+  Words words;
+  std::string_view rest = semantic.view();
+  words.are_sound = !unreadable_part(rest);
+  known_keys_ = 0;
+  bool says_something = false;
+  while (true) {
+    const auto comma = rest.find(',');
+    const auto token = trimmed(rest.substr(0, comma));
+    says_something = says_something || !token.empty();
+    if (!add_token(token, words)) words.are_sound = false;
+    if (comma == rest.npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  words.are_sound = words.are_sound && says_something;
+  return words;
+}
+
+// As S123 and S124 see it; false where one of them may have something to say.
+bool WordProver::add_token(std::string_view token, Words& words) {
+  const auto equals = token.find('=');
+  if (equals == token.npos) return is_sound_label(token);
+  const auto key = trimmed(token.substr(0, equals));
+  const auto value = trimmed(token.substr(equals + 1));
+  const auto known = std::find(kKeys.begin(), kKeys.end(), key);
+  if (known == kKeys.end()) return !key.empty() && !value.empty() && is_sound_key(key);
+  const unsigned bit = 1U << static_cast<unsigned>(known - kKeys.begin());
+  const bool is_first = (std::exchange(known_keys_, known_keys_ | bit) & bit) == 0;
+  if (key == semantic_key::kName) {
+    words.have_name = true;
+    words.name = value;
+  }
+  if (key == semantic_key::kLevel) words.level = value;
+  if (key == semantic_key::kInnerOf) words.have_outer = true;
+  return is_first && !value.empty();
+}
+
+bool WordProver::is_sound_key(std::string_view key) {
+  return remembered(keys_, key, [](std::string_view word) { return !key_meant(word); });
+}
+
+bool WordProver::is_sound_label(std::string_view label) {
+  return remembered(labels_, label, [](std::string_view word) { return !label_meant(word); });
+}
+
+bool NameSet::add_new(std::string_view name, std::string_view level) {
+  const std::hash<std::string_view> hash;
+  return add_hash(std::max<std::uint64_t>(1, hash(name) ^ std::rotl(hash(level), 31)));
+}
+
+bool NameSet::add_hash(std::uint64_t hash) {
+  if (2 * (count_ + 1) > slots_.size()) grow();
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t at = hash & mask;
+  for (; slots_[at] != 0; at = (at + 1) & mask) {
+    if (slots_[at] == hash) return false;
+  }
+  slots_[at] = hash;
+  ++count_;
+  return true;
+}
+
+void NameSet::grow() {
+  const auto old = std::exchange(slots_, {});
+  slots_.assign(std::max<std::size_t>(1024, 2 * old.size()), 0);
+  const std::size_t mask = slots_.size() - 1;
+  for (const auto hash : old) {
+    if (hash == 0) continue;
+    std::size_t at = hash & mask;
+    while (slots_[at] != 0) at = (at + 1) & mask;
+    slots_[at] = hash;
+  }
+}
+
+}  // namespace mapwright::validators

@@ -1,0 +1,64 @@
+// Private to this folder: Proof, at one look, that the checks of semantic strings have nothing to
+// say.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "mapcore/semantic.hpp"
+
+namespace mapwright::validators {
+
+/// What a semantic string holds.
+struct Words {
+  bool are_sound = false;   ///< proven: S104, S123 and S124 are silent, for an obstacle S103 too
+  bool have_name = false;   ///< a token name=..., maybe an empty one
+  bool have_outer = false;  ///< a token inner_of=...
+  std::string_view name, level;  ///< values, where they are sound
+};
+
+/// Judges one string after another; remembers words it has met, and where the last strings lie. The
+/// strings must outlive it.
+class WordProver {
+ public:
+  Words words_of(const Semantic& semantic);
+
+  /// The same, for strings that many share: known by where they lie.
+  bool are_sound(const Semantic& semantic);
+
+ private:
+  bool is_sound_key(std::string_view key);
+  bool is_sound_label(std::string_view label);
+  bool add_token(std::string_view token, Words& words);
+
+  struct Known {
+    const char* text = nullptr;
+    bool is_sound = true;
+  };
+  static constexpr std::size_t kKnown = 256;
+
+  std::unordered_map<std::string_view, bool> labels_, keys_;  // is sound
+  std::array<Known, kKnown> known_;
+  unsigned known_keys_ = 0;  // of the string under way: a bit each
+};
+
+/// Remembers names by their hashes: a name whose hash was there before may be there twice.
+class NameSet {
+ public:
+  /// True if no name of that level was added before for certain; adds it.
+  bool add_new(std::string_view name, std::string_view level);
+
+ private:
+  void grow();
+  bool add_hash(std::uint64_t hash);
+
+  std::vector<std::uint64_t> slots_;  // 0 where empty
+  std::size_t count_ = 0;
+};
+
+}  // namespace mapwright::validators
