@@ -32,7 +32,8 @@ ConvertedFiles::ConvertedFiles(const std::string& output, const std::string& rep
   if (!report.empty()) report_ = std::make_unique<TemporaryFile>(report);
 }
 
-std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Console& console) {
+std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Console& console,
+                                               bool is_last) {
   if (!map_) {
     std::string text = format_map(map, {resolution_m});
     console.out() << text;
@@ -43,7 +44,10 @@ std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Con
   out.close();
   if (!out) throw Error(ExitStatus::kOutput, output_ + ": cannot be written to its end");
   map = {};  // before another one like it is read
-  return validators::validate(read_map_file(map_->path()));
+  auto document = std::make_unique<MapDocument>(read_map_file(map_->path()));
+  auto findings = validators::validate(*document);
+  if (is_last) keep_to_the_end(std::move(document));
+  return findings;
 }
 
 // A sidecar of an earlier map under this name would put the new one where it does not lie.

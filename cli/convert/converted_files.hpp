@@ -19,8 +19,10 @@ class ConvertedFiles {
   /// `output` "-".
   ConvertedFiles(const std::string& output, const std::string& report);
 
-  /// Writes the map, reads the file back and returns what validation finds in it.
-  std::vector<Finding> write_map(Map map, double resolution_m, Console& console);
+  /// Writes the map, reads the file back and returns what validation finds in it. `is_last`: the
+  /// process ends soon.
+  std::vector<Finding> write_map(Map map, double resolution_m, Console& console,
+                                 bool is_last = true);
   void write_sidecar(const std::optional<Georeference>& georeference);
   void write_report(const converter::Ledger& ledger);
 

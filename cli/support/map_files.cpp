@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
@@ -18,6 +20,11 @@ MapDocument read_map_file(const std::string& path) {
     return read_map(*std::move(text));
   }
   return read_map(read_file(path));
+}
+
+void keep_to_the_end(std::unique_ptr<MapDocument> document) {
+  static auto* const kept = new std::vector<std::unique_ptr<MapDocument>>;  // never destroyed
+  kept->push_back(std::move(document));
 }
 
 Result<std::optional<Georeference>> read_sidecar(const std::string& map_path) {

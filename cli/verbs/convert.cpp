@@ -107,7 +107,8 @@ class Convert : public Verb {
                    Console& console) const {
     const std::string size = std::to_string(conversion.map.obstacles.size()) + " obstacles, " +
                              std::to_string(segment_count(conversion.map)) + " segments";
-    auto findings = files.write_map(std::move(conversion.map), conversion.resolution_m, console);
+    auto findings = files.write_map(std::move(conversion.map), conversion.resolution_m, console,
+                                    !arguments_.watches());
     if (!findings.empty()) {
       converter::ObstacleSources(conversion.ledger).name_features(findings);
     }

@@ -117,7 +117,7 @@ class Validate : public Verb {
     const auto writer = format_->make(out, {"validate", colour});
     const auto progress = console.progress("validating");
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-      report_map(paths_[i], *writer, console);
+      report_map(paths_[i], i + 1 == paths_.size(), *writer, console);
       if (paths_.size() > 1) progress(i + 1, paths_.size());
     }
     for (const auto& report : rules_->policy_reports(true)) {
@@ -128,13 +128,14 @@ class Validate : public Verb {
     writer->finish();
   }
 
-  void report_map(const std::string& path, validators::ReportWriter& writer, Console& console) {
+  void report_map(const std::string& path, bool is_last, validators::ReportWriter& writer,
+                  Console& console) {
     MapReport report{display_path(path), {}, {}, {}, {}};
-    MapDocument document;
+    auto document = std::make_unique<MapDocument>();
     try {
-      document = read_map_file(path);
-      report.text = document.text;
-      judge(path, document, report);
+      *document = read_map_file(path);
+      report.text = document->text;
+      judge(path, *document, report);
     } catch (const Error& error) {
       if (error.status() != ExitStatus::kInput) throw;
       console.error(error.what());
@@ -143,6 +144,7 @@ class Validate : public Verb {
     writer.map(report);
     totals_.add(report);
     rules_->add(report);
+    if (is_last) keep_to_the_end(std::move(document));
   }
 
   void judge(const std::string& path, const MapDocument& document, MapReport& report) const {

@@ -93,4 +93,15 @@ inline const char* read_short_decimal(const char* p, double& value) {
   return p;
 }
 
+/// Reads a whole number of one to seven digits without sign. Returns its end, or nullptr where it
+/// has another shape. At least kShortDecimalBytes must be readable.
+inline const char* read_short_integer(const char* p, std::int64_t& value) {
+  if constexpr (std::endian::native != std::endian::little) return nullptr;
+  const std::uint64_t digits = detail::load_digits(p);
+  const unsigned count = detail::leading_digits(digits);
+  if (count - 1U >= 7U) return nullptr;
+  value = static_cast<std::int64_t>(detail::digits_value(digits, count));
+  return p + count;
+}
+
 }  // namespace mapwright::text

@@ -9,6 +9,30 @@
 
 namespace mapwright::text {
 
+namespace {
+
+// 0x80 in each byte of the word that is `wanted`, and maybe in bytes above one that is.
+std::uint64_t bytes_equal(std::uint64_t word, unsigned char wanted) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101U;
+  const std::uint64_t difference = word ^ (kOnes * wanted);
+  return (difference - kOnes) & ~difference & 0x8080808080808080U;
+}
+
+// The first ';', '#' or line break, eight bytes at a time as long as there are so many.
+const char* end_of_text_field(const char* at, const char* end) {
+  for (; end - at >= 8; at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, at, sizeof word);
+    const std::uint64_t found = bytes_equal(word, ';') | bytes_equal(word, '#') |
+                                bytes_equal(word, '\n') | bytes_equal(word, '\r');
+    if (found != 0) break;
+  }
+  while (at != end && *at != ';' && *at != '#' && *at != '\n' && *at != '\r') ++at;
+  return at;
+}
+
+}  // namespace
+
 /// Walks over the fields of one record. Every function returns false where the text is not plainly
 /// what it should be; the NUL behind the text is neither blank, digit, ';' nor '#'.
 class QuickReader::Cursor {
@@ -41,6 +65,9 @@ class QuickReader::Cursor {
 
   bool integer(std::int64_t& value) {
     if (left() <= 0) return false;
+    if (left() >= static_cast<std::ptrdiff_t>(kShortDecimalBytes)) {
+      if (const char* const stop = read_short_integer(at_, value)) return field_end(stop);
+    }
     const auto [stop, error] = std::from_chars(at_, end_, value);
     return error == std::errc{} && field_end(stop);
   }
@@ -59,8 +86,7 @@ class QuickReader::Cursor {
 
   bool text(std::string_view& value) {
     if (left() <= 0) return false;
-    const char* stop = at_;
-    while (stop != end_ && *stop != ';' && *stop != '#' && *stop != '\n' && *stop != '\r') ++stop;
+    const char* const stop = end_of_text_field(at_, end_);
     value = trimmed({at_, static_cast<std::size_t>(stop - at_)});
     return field_end(stop);
   }

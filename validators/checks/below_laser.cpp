@@ -1,5 +1,6 @@
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "mapcore/defect_geometry.hpp"
@@ -49,11 +50,13 @@ void report(const CheckContext& context, const std::string& kind,
 // A site has hundreds of kerbs and one laser: told once for each kind of obstacle, by its labels.
 void check_below_laser(const CheckContext& context, FindingSink& sink) {
   std::map<std::string, std::vector<std::size_t>> missed_by_kind;
+  std::unordered_map<const char*, std::vector<std::size_t>*> by_string;  // many share one
   const auto& obstacles = context.map().obstacles;
   for (const auto i : context.in_doubt(Doubt::kLow)) {
-    if (is_missed(obstacles[i], context.options())) {
-      missed_by_kind[kind_of(obstacles[i])].push_back(i);
-    }
+    if (!is_missed(obstacles[i], context.options())) continue;
+    auto& missed = by_string[obstacles[i].semantic.view().data()];
+    if (missed == nullptr) missed = &missed_by_kind[kind_of(obstacles[i])];
+    missed->push_back(i);
   }
   for (const auto& [kind, missed] : missed_by_kind) report(context, kind, missed, sink);
 }

@@ -36,11 +36,8 @@ bool is_between(double from, double to, double value) {
 }  // namespace
 
 ChainProof ChainProver::chain(std::span<const Segment> segments, bool is_ring) {
-  starts_.clear();
-  for (const Segment& segment : segments) starts_.push_back(segment.a);
-  const bool closes = segments.back().b == segments.front().a;
-  ends_.assign(starts_.begin() + 1, starts_.end());
-  ends_.push_back(segments.back().b);
+  take_ends(segments);
+  const bool closes = ends_.back() == starts_.front();
   ChainProof proof;
   proof.has_no_spike = has_no_spike(closes);
   if (is_ring) {
@@ -53,13 +50,17 @@ ChainProof ChainProver::chain(std::span<const Segment> segments, bool is_ring) {
 }
 
 bool ChainProver::all_apart(std::span<const Segment> segments) {
-  starts_.clear();
-  ends_.clear();
-  for (const Segment& segment : segments) {
-    starts_.push_back(segment.a);
-    ends_.push_back(segment.b);
-  }
+  take_ends(segments);
   return no_pair_meets([](std::size_t, std::size_t) { return false; });
+}
+
+void ChainProver::take_ends(std::span<const Segment> segments) {
+  starts_.resize(segments.size());
+  ends_.resize(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    starts_[i] = segments[i].a;
+    ends_[i] = segments[i].b;
+  }
 }
 
 // Counter-clockwise beyond doubt, and no sliver: the sum of both extents of an edge is at least its
@@ -148,8 +149,8 @@ bool ChainProver::edges_part(std::size_t i, std::size_t j) const {
 }
 
 void ChainProver::make_blocks() {
-  boxes_.clear();
-  for (std::size_t i = 0; i < edges(); ++i) boxes_.push_back(box_of(starts_[i], ends_[i]));
+  boxes_.resize(edges());
+  for (std::size_t i = 0; i < edges(); ++i) boxes_[i] = box_of(starts_[i], ends_[i]);
   blocks_.clear();
   for (std::size_t begin = 0; begin < edges(); begin += kBlockSegments) {
     Block block{begin, std::min(begin + kBlockSegments, edges()), kEmptyBox};

@@ -39,8 +39,8 @@ class ChainProver {
     Box box;
   };
 
+  void take_ends(std::span<const Segment> segments);
   bool is_sound_ring() const;
-  bool is_sound_open_chain();
   bool turns_left_once() const;
   bool is_monotone() const;
   bool neighbours_part() const;

@@ -80,6 +80,7 @@ class Survey::Surveyor {
   void look() {
     survey_.boxes_.reserve(obstacles_.size());
     for (i_ = 0; i_ < obstacles_.size(); ++i_) look_at_obstacle(obstacles_[i_]);
+    if (names_.may_repeat()) survey_.names_may_repeat_ = true;
   }
 
  private:
@@ -132,8 +133,8 @@ class Survey::Surveyor {
   }
 
   void look_at_name(const Words& words) {
-    if (words.are_sound && (words.have_outer || names_.add_new(words.name, words.level))) return;
-    survey_.names_may_repeat_ = true;
+    if (!words.are_sound) survey_.names_may_repeat_ = true;
+    if (!words.have_outer) names_.add(words.name, words.level);
   }
 
   void look_at_attributes(const Obstacle& obstacle, const Look& look) {

@@ -11,17 +11,17 @@
 namespace mapwright::validators {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r\n";
-
 // Words beyond these are judged again each time: a map of names without end must not fill memory.
 constexpr std::size_t kMostWords = 4096;
 
 constexpr std::array kKeys{semantic_key::kInnerOf, semantic_key::kNormal, semantic_key::kLevel,
                            semantic_key::kSource, semantic_key::kName};
 
+// As Semantic::tokens trims.
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && kBlank.find(text.front()) != kBlank.npos) text.remove_prefix(1);
-  while (!text.empty() && kBlank.find(text.back()) != kBlank.npos) text.remove_suffix(1);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
 }
 
@@ -95,35 +95,45 @@ bool WordProver::is_sound_key(std::string_view key) {
 }
 
 bool WordProver::is_sound_label(std::string_view label) {
-  return remembered(labels_, label, [](std::string_view word) { return !label_meant(word); });
-}
-
-bool NameSet::add_new(std::string_view name, std::string_view level) {
-  const std::hash<std::string_view> hash;
-  return add_hash(std::max<std::uint64_t>(1, hash(name) ^ std::rotl(hash(level), 31)));
-}
-
-bool NameSet::add_hash(std::uint64_t hash) {
-  if (2 * (count_ + 1) > slots_.size()) grow();
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t at = hash & mask;
-  for (; slots_[at] != 0; at = (at + 1) & mask) {
-    if (slots_[at] == hash) return false;
+  if (label == last_label_) return true;  // obstacles of a kind follow each other
+  if (!remembered(labels_, label, [](std::string_view word) { return !label_meant(word); })) {
+    return false;
   }
-  slots_[at] = hash;
-  ++count_;
+  last_label_ = label;
   return true;
+}
+
+void NameSet::add(std::string_view name, std::string_view level) {
+  const std::hash<std::string_view> hash;
+  const std::uint64_t key = std::max<std::uint64_t>(1, hash(name) ^ std::rotl(hash(level), 31));
+  if (2 * (count_ + kWaiting) > slots_.size()) grow();
+  __builtin_prefetch(&slots_[key & (slots_.size() - 1)]);
+  const std::uint64_t waited = std::exchange(waiting_[count_++ % kWaiting], key);
+  if (waited != 0) insert(waited);
+}
+
+bool NameSet::may_repeat() {
+  for (auto& key : waiting_) {
+    if (key != 0) insert(std::exchange(key, 0));
+  }
+  return may_repeat_;
+}
+
+void NameSet::insert(std::uint64_t key) {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t at = key & mask;
+  for (; slots_[at] != 0; at = (at + 1) & mask) {
+    if (slots_[at] == key) may_repeat_ = true;
+    if (may_repeat_) return;
+  }
+  slots_[at] = key;
 }
 
 void NameSet::grow() {
   const auto old = std::exchange(slots_, {});
-  slots_.assign(std::max<std::size_t>(1024, 2 * old.size()), 0);
-  const std::size_t mask = slots_.size() - 1;
-  for (const auto hash : old) {
-    if (hash == 0) continue;
-    std::size_t at = hash & mask;
-    while (slots_[at] != 0) at = (at + 1) & mask;
-    slots_[at] = hash;
+  slots_.assign(std::max<std::size_t>(1024, 4 * old.size()), 0);
+  for (const auto key : old) {
+    if (key != 0) insert(key);
   }
 }
 

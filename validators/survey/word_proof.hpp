@@ -43,22 +43,30 @@ class WordProver {
   static constexpr std::size_t kKnown = 256;
 
   std::unordered_map<std::string_view, bool> labels_, keys_;  // is sound
+  std::string_view last_label_;                               // a sound one
   std::array<Known, kKnown> known_;
   unsigned known_keys_ = 0;  // of the string under way: a bit each
 };
 
-/// Remembers names by their hashes: a name whose hash was there before may be there twice.
+/// Remembers names by their hashes: where none came twice, no name did.
 class NameSet {
  public:
-  /// True if no name of that level was added before for certain; adds it.
-  bool add_new(std::string_view name, std::string_view level);
+  void add(std::string_view name, std::string_view level);
+
+  /// False only if no name was added twice for a level.
+  bool may_repeat();
 
  private:
+  // A key waits for its slot to arrive in the cache.
+  static constexpr std::size_t kWaiting = 16;
+
   void grow();
-  bool add_hash(std::uint64_t hash);
+  void insert(std::uint64_t key);
 
   std::vector<std::uint64_t> slots_;  // 0 where empty
-  std::size_t count_ = 0;
+  std::size_t count_ = 0;             // of names added
+  std::array<std::uint64_t, kWaiting> waiting_{};
+  bool may_repeat_ = false;
 };
 
 }  // namespace mapwright::validators
