@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mapcore/text/defects.hpp"
@@ -43,16 +44,16 @@ class MapBuilder {
 
   void obstacle(ObstacleHeader header);
 
-  /// A segment whose record begins at `offset`. `follows`: right behind the '#' of the segment, or
-  /// of its obstacle's header, that was handed in before it.
-  void segment(std::size_t offset, Segment&& segment, bool follows = false) {
-    ++records_;
-    if (state_ != State::kInObstacle) {
-      segment_elsewhere(offset);
-      return;
-    }
-    document_.index.add_segment(segments_.size(), offset, follows);
-    segments_.push_back(std::move(segment));
+  /// A segment whose record begins at `offset`.
+  void segment(std::size_t offset, Segment&& segment) {
+    add_segment(offset, false, std::move(segment));
+  }
+
+  /// The same, of these values, right behind the '#' of the segment, or of its obstacle's header,
+  /// that was handed in before it if `follows`.
+  void segment(std::size_t offset, bool follows, Point a, Point b, double height_m, InOut in_out,
+               const Semantic& semantic) {
+    add_segment(offset, follows, a, b, height_m, in_out, semantic);
   }
 
   /// A segment record that could not be understood.
@@ -66,6 +67,17 @@ class MapBuilder {
 
  private:
   enum class State : std::uint8_t { kBeforeObstacles, kInObstacle, kInLeftOut };
+
+  template <class... Values>
+  void add_segment(std::size_t offset, bool follows, Values&&... values) {
+    ++records_;
+    if (state_ != State::kInObstacle) {
+      segment_elsewhere(offset);
+      return;
+    }
+    document_.index.add_segment(segments_.size(), offset, follows);
+    segments_.emplace_back(std::forward<Values>(values)...);
+  }
 
   void segment_elsewhere(std::size_t offset);
   void reserve_declared();

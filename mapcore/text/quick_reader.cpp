@@ -138,24 +138,20 @@ class QuickReader::Cursor {
 bool QuickReader::read_segment(const char*& at) {
   Cursor cursor(at, end_);
   const char* const first = cursor.at();
-  Segment segment;
-  if (cursor.same_fields(last_end_.bytes)) {
-    segment.a = last_end_.value;
-  } else if (!cursor.point(segment.a)) {
-    return false;
-  }
+  Point a = last_end_.value;
+  if (!cursor.same_fields(last_end_.bytes) && !cursor.point(a)) return false;
   const char* const second = cursor.at();
-  if (!cursor.point(segment.b)) return false;
+  Point b;
+  if (!cursor.point(b)) return false;
   const char* const third = cursor.at();
   if (!cursor.same_record_end(last_.bytes)) {
     if (!read_attributes(cursor)) return false;
     last_.bytes = {third, static_cast<std::size_t>(cursor.at() - third)};
   }
-  last_end_ = {{second, static_cast<std::size_t>(third - second)}, segment.b};
-  segment.height_m = last_.value.height_m;
-  segment.in_out = last_.value.in_out;
-  segment.semantic = last_.value.semantic;
-  builder_.segment(offset(first), std::move(segment), follows_);
+  last_end_ = {{second, static_cast<std::size_t>(third - second)}, b};
+  const Attributes& attributes = last_.value;
+  builder_.segment(offset(first), follows_, a, b, attributes.height_m, attributes.in_out,
+                   attributes.semantic);
   at = cursor.at();
   return true;
 }

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kBlockSegments = 16;
 
-// Beyond this, comparing all pairs of blocks costs more than a sweep.
+// Beyond this, comparing all pairs of blocks costs more than a sweep, and copies more than they are
+// worth.
 constexpr std::size_t kMostSegments = 16384;
 
 // The area must exceed this share of the sum of its absolute parts: far more than they lose by
@@ -36,6 +37,7 @@ bool is_between(double from, double to, double value) {
 }  // namespace
 
 ChainProof ChainProver::chain(std::span<const Segment> segments, bool is_ring) {
+  if (segments.size() > kMostSegments) return {};
   take_ends(segments);
   const bool closes = ends_.back() == starts_.front();
   ChainProof proof;
@@ -50,6 +52,7 @@ ChainProof ChainProver::chain(std::span<const Segment> segments, bool is_ring) {
 }
 
 bool ChainProver::all_apart(std::span<const Segment> segments) {
+  if (segments.size() > kMostSegments) return false;
   take_ends(segments);
   return no_pair_meets([](std::size_t, std::size_t) { return false; });
 }
@@ -165,7 +168,6 @@ void ChainProver::make_blocks() {
 // Pairs for which `may_meet(i, j)`, i < j, holds are not looked at.
 template <class MayMeet>
 bool ChainProver::no_pair_meets(const MayMeet& may_meet) {
-  if (edges() > kMostSegments) return false;
   make_blocks();
   for (std::size_t p = 0; p < blocks_.size(); ++p) {
     for (std::size_t q = p; q < blocks_.size(); ++q) {
