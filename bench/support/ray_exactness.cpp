@@ -130,4 +130,18 @@ std::vector<Pose> poses_everywhere(const Map& map, std::size_t count, std::uint6
   return poses;
 }
 
+std::vector<Pose> poses_in_clusters(const Map& map, std::size_t count, std::uint64_t seed) {
+  constexpr std::size_t kEach = 24;
+  const std::vector<Pose> places = poses_everywhere(map, count / kEach + 1, seed);
+  Random random(seed);
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pose& place = places[i / kEach];
+    const double spread_deg = i / kEach % 4 == 3 ? 180.0 : 3.0;
+    poses.push_back({random.normal(place.x, 0.3), random.normal(place.y, 0.3),
+                     place.theta + Angle::from_degrees(random.normal(0.0, spread_deg))});
+  }
+  return poses;
+}
+
 }  // namespace mapwright::bench

@@ -47,4 +47,8 @@ Exactness measure_exactness(const Map& map, const navcore::RayCaster& caster,
 /// decimetres, a tenth with headings along the axes.
 std::vector<Pose> poses_everywhere(const Map& map, std::size_t count, std::uint64_t seed);
 
+/// Poses as a filter has them that tracks: 24 around one place (0.3 m, 3°), then 24 around another;
+/// in every fourth such cluster the headings are any. The places are poses_everywhere().
+std::vector<Pose> poses_in_clusters(const Map& map, std::size_t count, std::uint64_t seed);
+
 }  // namespace mapwright::bench

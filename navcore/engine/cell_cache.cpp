@@ -1,7 +1,6 @@
 #include "navcore/engine/cell_cache.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -13,7 +12,6 @@ namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 18U;
 constexpr std::size_t kFirstSlots = 64;
-constexpr double kMostCells = 1e9;  // in either direction
 
 }  // namespace
 
@@ -58,10 +56,6 @@ void CellTable::grow() {
 }
 
 // -- CellCache --------------------------------------------------------------------------------
-
-bool has_cell(Point p, double cell_size_m) {
-  return std::abs(p.x) < kMostCells * cell_size_m && std::abs(p.y) < kMostCells * cell_size_m;
-}
 
 CellCache::CellCache(const Scene& scene, const Reach& reach, std::size_t budget_bytes)
     : scene_(&scene),

@@ -1,6 +1,7 @@
 // Private to this folder: the lists of the cells that were visited lately.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -21,10 +22,22 @@ struct CellKey {
   friend bool operator==(const CellKey&, const CellKey&) = default;
 };
 
+inline std::size_t hash_of(CellKey key) {
+  const std::uint64_t both = std::uint64_t{static_cast<std::uint32_t>(key.column)} |
+                             std::uint64_t{static_cast<std::uint32_t>(key.row)} << 32U;
+  return both * 0x9e3779b97f4a7c15U >> 32U;
+}
+
 /// floor(x), without the library call that the baseline instruction set needs for it.
 inline std::int32_t whole_cells(double x) {
   const auto truncated = static_cast<std::int32_t>(x);
   return truncated - (x < truncated ? 1 : 0);
+}
+
+/// True if cells have numbers at p.
+inline bool has_cell(Point p, double cell_size_m) {
+  constexpr double kMostCells = 1e9;  // in either direction
+  return std::abs(p.x) < kMostCells * cell_size_m && std::abs(p.y) < kMostCells * cell_size_m;
 }
 
 /// Memory that is only ever freed as a whole.
@@ -62,11 +75,7 @@ class CellTable {
     CellKey key;
     const PackedCell* cell = nullptr;
   };
-  std::size_t home(CellKey key) const {
-    const std::uint64_t both = std::uint64_t{static_cast<std::uint32_t>(key.column)} |
-                               std::uint64_t{static_cast<std::uint32_t>(key.row)} << 32U;
-    return (both * 0x9e3779b97f4a7c15U >> 32U) & (slots_.size() - 1);
-  }
+  std::size_t home(CellKey key) const { return hash_of(key) & (slots_.size() - 1); }
   void grow();
 
   std::vector<Slot> slots_;
@@ -123,8 +132,5 @@ class CellCache {
   Arena always_;
   const PackedCell* nowhere_;
 };
-
-/// True if cells have numbers at p.
-bool has_cell(Point p, double cell_size_m);
 
 }  // namespace mapwright::navcore::engine

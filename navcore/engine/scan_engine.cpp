@@ -15,7 +15,7 @@ namespace {
 
 using engine::Kernels;
 using engine::ScanPlan;
-using engine::ScanStart;
+using engine::ScanStarts;
 using engine::Workspace;
 
 constexpr std::size_t kMostPlans = 4;
@@ -80,15 +80,16 @@ void ScanEngine::cast_all(std::span<const Pose> poses, const LaserModel& laser,
   assert(ranges.size() == poses.size() * laser.rays);
   const auto plan = impl_->plan(laser);
   const auto longest = static_cast<float>(laser.max_range_m);
-  plan->for_poses(poses, *impl_->kernels, 1,
-                  [&](std::size_t first, std::span<const ScanStart> starts, Workspace& work) {
-                    std::vector<float> single(starts.size() * laser.rays);
-                    impl_->kernels->cast(plan->setup(), starts, work, single.data());
-                    const auto out = ranges.subspan(first * laser.rays, single.size());
-                    std::transform(single.begin(), single.end(), out.begin(), [&](float range) {
-                      return range < longest ? static_cast<double>(range) : laser.max_range_m;
-                    });
-                  });
+  plan->for_poses(
+      poses, *impl_->kernels, 1,
+      [&](std::size_t first, std::size_t count, const ScanStarts& starts, Workspace& work) {
+        std::vector<float> single(count * laser.rays);
+        impl_->kernels->cast(plan->setup(), starts, work, single.data());
+        const auto out = ranges.subspan(first * laser.rays, single.size());
+        std::transform(single.begin(), single.end(), out.begin(), [&](float range) {
+          return range < longest ? static_cast<double>(range) : laser.max_range_m;
+        });
+      });
 }
 
 void ScanEngine::cast_all(std::span<const Pose> poses, const LaserModel& laser,
@@ -96,7 +97,7 @@ void ScanEngine::cast_all(std::span<const Pose> poses, const LaserModel& laser,
   assert(ranges.size() == poses.size() * laser.rays);
   const auto plan = impl_->plan(laser);
   plan->for_poses(poses, *impl_->kernels, threads,
-                  [&](std::size_t first, std::span<const ScanStart> starts, Workspace& work) {
+                  [&](std::size_t first, std::size_t, const ScanStarts& starts, Workspace& work) {
                     impl_->kernels->cast(plan->setup(), starts, work,
                                          ranges.data() + first * laser.rays);
                   });
@@ -113,7 +114,7 @@ void ScanEngine::weigh(std::span<const double> scan, const LaserModel& laser,
   const engine::ScanWeight weight(scan, laser, likelihood);
   const auto plan = impl_->plan(laser);
   plan->for_poses(poses, *impl_->kernels, threads,
-                  [&](std::size_t first, std::span<const ScanStart> starts, Workspace& work) {
+                  [&](std::size_t first, std::size_t, const ScanStarts& starts, Workspace& work) {
                     impl_->kernels->weigh(plan->setup(), starts, work, weight,
                                           log_factors.data() + first);
                   });

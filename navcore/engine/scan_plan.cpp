@@ -1,72 +1,21 @@
 #include "navcore/engine/scan_plan.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <mutex>
 #include <vector>
 
+#include "navcore/engine/piece.hpp"
 #include "navcore/parallel.hpp"
 
 namespace mapwright::navcore::engine {
 namespace {
 
-// Poses prepared and cast together: their starts stay in the first-level cache.
-constexpr std::size_t kPiece = 512;
+constexpr std::size_t kPiece = Piece::kMost;
 
 // Pieces whose missing cells are compiled together: bounds what one call adds beyond the budget.
 constexpr std::size_t kGroup = 64;
 
 }  // namespace
-
-/// The starts of a few poses, on the stack.
-class ScanPlan::Piece {
- public:
-  Piece(std::span<const Pose> poses, const CellCache& cells) : poses_(poses), cells_(cells) {
-    assert(poses.size() <= kPiece);
-  }
-
-  /// False if some pose's cell has no list yet.
-  bool find_cells() {
-    const double size = cells_.reach().cell_size_m;
-    CellKey last{};
-    const PackedCell* cell = nullptr;
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-      const Point p = poses_[i].position();
-      if (!has_cell(p, size)) {
-        starts_[i].cell = cells_.nowhere();
-        continue;
-      }
-      const CellKey key = cells_.key_of(p);
-      if (cell == nullptr || !(key == last)) cell = cells_.find(key);
-      if (cell == nullptr) return false;
-      last = key;
-      starts_[i].cell = cell;
-    }
-    return true;
-  }
-
-  std::span<const ScanStart> starts(const Kernels& kernels) {
-    std::array<double, kPiece> heading, cosine, sine;
-    const std::size_t n = poses_.size();
-    for (std::size_t i = 0; i < n; ++i) heading[i] = poses_[i].theta.radians();
-    kernels.turn({heading.data(), n}, cosine.data(), sine.data());
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point p = poses_[i].position() - starts_[i].cell->center;
-      starts_[i].x = static_cast<float>(p.x);
-      starts_[i].y = static_cast<float>(p.y);
-      starts_[i].cosine = static_cast<float>(cosine[i]);
-      starts_[i].sine = static_cast<float>(sine[i]);
-      starts_[i].pose = &poses_[i];
-    }
-    return {starts_.data(), n};
-  }
-
- private:
-  std::span<const Pose> poses_;
-  const CellCache& cells_;
-  std::array<ScanStart, kPiece> starts_;
-};
 
 ScanPlan::ScanPlan(const Scene& scene, const LaserModel& laser, double cell_size_m,
                    std::size_t cell_memory_bytes)
@@ -91,7 +40,7 @@ bool ScanPlan::try_piece(std::span<const Pose> poses, std::size_t first, const K
   const std::span<const Pose> own = poses.subspan(first, std::min(kPiece, poses.size() - first));
   Piece piece(own, cells_);
   if (!piece.find_cells()) return false;
-  work(first, piece.starts(kernels), workspace);
+  work(first, own.size(), piece.starts(kernels), workspace);
   return true;
 }
 

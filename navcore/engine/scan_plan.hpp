@@ -24,16 +24,16 @@ class ScanPlan {
   std::size_t cell_count() const;
   std::size_t cell_bytes() const;
 
-  /// Does something with the starts of consecutive poses; `first` is the number of the first.
-  using Work =
-      std::function<void(std::size_t first, std::span<const ScanStart> starts, Workspace& work)>;
+  /// Does something with the starts of `count` consecutive poses; `first` is the number of the one
+  /// with scan 0.
+  using Work = std::function<void(std::size_t first, std::size_t count, const ScanStarts& starts,
+                                  Workspace& work)>;
 
   /// Hands all poses to `work`, in pieces, from up to `threads` threads.
   void for_poses(std::span<const Pose> poses, const Kernels& kernels, unsigned threads,
                  const Work& work) const;
 
  private:
-  class Piece;
   bool try_piece(std::span<const Pose> poses, std::size_t first, const Kernels& kernels,
                  const Work& work, Workspace& workspace) const;
   void compile_for(std::span<const Pose> poses, unsigned threads) const;

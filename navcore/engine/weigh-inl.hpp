@@ -54,12 +54,12 @@ HWY_INLINE FloatVector exponent_of(const ScanWeight& weight, FloatVector delta) 
 // Δ of Eq. (4) for all beams, into the workspace; pads are 0. Returns the greatest exponent
 // Δ² / (2 σm²) of the beams without a floor.
 HWY_INLINE float find_differences(const ScanWeight& weight, const BeamTable& beams,
-                                  Workspace& work) {
+                                  const float* inverse, Workspace& work) {
   const Floats d;
   FloatVector largest = hn::Zero(d);
   for (std::size_t i = 0; i < beams.rays; i += hn::Lanes(d)) {
-    const FloatVector difference =
-        hn::Sub(hn::Load(d, weight.perceived.data() + i), ranges_at(beams, work, i));
+    const FloatVector difference = hn::Sub(hn::Load(d, weight.perceived.data() + i),
+                                           ranges_of(beams, hn::Load(d, inverse + i)));
     const FloatVector delta = hn::IfThenElseZero(hn::FirstN(d, beams.rays - i), difference);
     hn::Store(delta, d, work.differences.data() + i);
     const FloatMask unlimited = hn::Eq(floor_under(weight, delta), hn::Zero(d));
@@ -70,10 +70,12 @@ HWY_INLINE float find_differences(const ScanWeight& weight, const BeamTable& bea
 
 // Eq. (6): −log Σ 1/L, summed relative to exp(shift), so that the greatest term stays well within
 // single precision whatever the scan.
-HWY_INLINE double log_harmonic(const ScanWeight& weight, const BeamTable& beams, Workspace& work) {
+HWY_INLINE double log_harmonic(const ScanWeight& weight, const BeamTable& beams,
+                               const float* inverse, Workspace& work) {
   constexpr float kLargestExponent = 70.0F;
   const Floats d;
-  const float shift = std::max(0.0F, find_differences(weight, beams, work) - kLargestExponent);
+  const float shift =
+      std::max(0.0F, find_differences(weight, beams, inverse, work) - kLargestExponent);
   const FloatVector shift_by = hn::Set(d, shift);
   const FloatVector scale = exponential(d, hn::Neg(shift_by));
   const FloatVector peak = hn::Set(d, weight.peak);
@@ -97,7 +99,7 @@ HWY_INLINE double log_harmonic(const ScanWeight& weight, const BeamTable& beams,
 // Σ log L. Beams with a floor are multiplied, as many as single precision allows before a
 // logarithm is taken; of those without one the exponent is the logarithm.
 HWY_INLINE double log_product(const ScanWeight& weight, const BeamTable& beams,
-                              const Workspace& work) {
+                              const float* inverse) {
   const Floats d;
   const FloatVector peak = hn::Set(d, weight.peak);
   const FloatVector one = hn::Set(d, 1.0F);
@@ -105,8 +107,8 @@ HWY_INLINE double log_product(const ScanWeight& weight, const BeamTable& beams,
   FloatVector product = one;
   std::size_t factors = 0;
   for (std::size_t i = 0; i < beams.rays; i += hn::Lanes(d)) {
-    const FloatVector delta =
-        hn::Sub(hn::Load(d, weight.perceived.data() + i), ranges_at(beams, work, i));
+    const FloatVector delta = hn::Sub(hn::Load(d, weight.perceived.data() + i),
+                                      ranges_of(beams, hn::Load(d, inverse + i)));
     const FloatVector floor = floor_under(weight, delta);
     const FloatMask unlimited = hn::Eq(floor, hn::Zero(d));
     const FloatMask real = hn::FirstN(d, beams.rays - i);
@@ -125,12 +127,13 @@ HWY_INLINE double log_product(const ScanWeight& weight, const BeamTable& beams,
   return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)));
 }
 
-void weigh_scans(const ScanSetup& setup, std::span<const ScanStart> starts, Workspace& work,
+void weigh_scans(const ScanSetup& setup, const ScanStarts& starts, Workspace& work,
                  const ScanWeight& weight, double* log_weights) {
   const BeamTable& beams = *setup.beams;
-  for_each_scan(setup, starts, work, [&](std::size_t i) HWY_ATTR {
-    log_weights[i] = weight.kind == LikelihoodKind::kReport ? log_harmonic(weight, beams, work)
-                                                            : log_product(weight, beams, work);
+  for_each_scan(setup, starts, work, [&](std::uint32_t scan, const float* inverse) HWY_ATTR {
+    log_weights[scan] = weight.kind == LikelihoodKind::kReport
+                            ? log_harmonic(weight, beams, inverse, work)
+                            : log_product(weight, beams, inverse);
   });
 }
 

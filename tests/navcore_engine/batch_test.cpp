@@ -1,6 +1,7 @@
 // Many poses, many threads, little memory: the numbers stay the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 #include <vector>
 
@@ -46,6 +47,42 @@ TEST(ScanEngineBatch, OnePoseAtATimeGivesTheSame) {
         ASSERT_EQ(one[j], static_cast<double>(all[i * laser.rays + j]));
       }
     }
+  });
+}
+
+// Scans from one cell share work; a scan alone does not. Any field of view, staircases and ramps
+// seen and not seen, groups of all sizes.
+TEST(ScanEngineBatch, TogetherAndAloneGiveTheSame) {
+  const auto poses = bench::poses_in_clusters(campus(), 2400, 5);
+  for (const LaserModel& laser :
+       {LaserModel{131, 180.0, 15.0, 0.5}, LaserModel{90, 360.0, 15.0, 0.1},
+        LaserModel{1081, 270.0, 15.0, 0.3}, LaserModel{5, 40.0, 9.0, 0.2},
+        LaserModel{1, 10.0, 15.0, 0.4}}) {
+    test::on_each_instruction_set(campus(), [&](const ScanEngine& engine) {
+      const auto all = cast(engine, poses, laser, 1);
+      std::vector<double> one(laser.rays);
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        engine.cast(poses[i], laser, one);
+        for (std::size_t j = 0; j < laser.rays; ++j) {
+          ASSERT_EQ(static_cast<float>(one[j]), all[i * laser.rays + j]) << i << ' ' << j;
+        }
+      }
+    });
+  }
+}
+
+// Every pose must come back in its own place, wherever its cell puts it among the others.
+TEST(ScanEngineBatch, OrderDoesNotMatter) {
+  auto poses = bench::poses_in_clusters(campus(), 1500, 6);
+  const LaserModel laser;
+  const std::vector<double> scan(laser.rays, 5.0);
+  test::on_each_instruction_set(campus(), [&](const ScanEngine& engine) {
+    std::vector<double> forward(poses.size()), backward(poses.size());
+    engine.weigh(scan, laser, report_likelihood(), poses, forward, 1);
+    const std::vector<Pose> turned(poses.rbegin(), poses.rend());
+    engine.weigh(scan, laser, report_likelihood(), turned, backward, 2);
+    std::reverse(backward.begin(), backward.end());
+    EXPECT_EQ(forward, backward);
   });
 }
 

@@ -24,11 +24,13 @@ void expect_exact(const Map& map, const ScanEngineOptions& options, std::size_t 
       map,
       [&](const ScanEngine& engine) {
         for (const LaserModel& laser : kLasers) {
-          const auto where = bench::poses_everywhere(map, poses, seed);
-          const auto result = bench::measure_exactness(map, engine, reference, where, laser);
-          EXPECT_EQ(result.wrong, 0U) << result.first_wrong;
-          EXPECT_LE(result.worst_error_m, bench::kTolerance_m);
-          EXPECT_GT(result.stopped, poses);  // or nothing was tested
+          for (const auto& where : {bench::poses_everywhere(map, poses, seed),
+                                    bench::poses_in_clusters(map, poses, seed)}) {
+            const auto result = bench::measure_exactness(map, engine, reference, where, laser);
+            EXPECT_EQ(result.wrong, 0U) << result.first_wrong;
+            EXPECT_LE(result.worst_error_m, bench::kTolerance_m);
+            EXPECT_GT(result.stopped, poses);  // or nothing was tested
+          }
         }
       },
       options);
