@@ -10,9 +10,8 @@
 #include <filesystem>
 #include <map>
 
-#include "converter/gdal/dxf_reader.hpp"
-#include "converter/gdal/gdal_reader.hpp"
 #include "converter/gdal/messages.hpp"
+#include "converter/gdal/single_source.hpp"
 #include "converter/gdal/stored_file.hpp"
 
 namespace mapwright::converter {
@@ -50,10 +49,11 @@ bool contains(const std::vector<std::string>& texts, const std::string& text) {
 }
 
 bool is_dataset(const std::string& name) {
-  static const std::vector<std::string> kExtensions{".shp", ".gpkg", ".geojson", ".json",    ".fgb",
-                                                    ".kml", ".gml",  ".dxf",     ".csv",     ".tab",
-                                                    ".mif", ".xml",  ".sqlite",  ".topojson"};
-  return contains(kExtensions, lower_extension(name));
+  static const std::vector<std::string> kExtensions{
+      ".shp", ".gpkg", ".geojson", ".json", ".fgb",    ".kml",      ".gml", ".dxf",
+      ".csv", ".tab",  ".mif",     ".xml",  ".sqlite", ".topojson", ".osm", ".pbf"};
+  return contains(kExtensions, lower_extension(name)) || name.ends_with(".osm.gz") ||
+         name.ends_with(".osm.bz2");
 }
 
 // What belongs to a data set beside it.
@@ -256,7 +256,7 @@ OpenedReader open_archive(const std::string& path, const std::vector<std::string
   }
   for (const auto& dataset : datasets) {
     const GdalInput input{dataset, reader->renamed(dataset), {}, drivers};
-    auto opened = is_dxf(dataset) ? open_dxf(input, notice) : open_gdal(input, notice);
+    auto opened = open_single(input, notice);
     if (!opened) return tl::unexpected(reader->renamed(opened.error()));
     reader->add(*std::move(opened));
   }

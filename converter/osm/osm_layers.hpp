@@ -22,6 +22,7 @@ struct OsmLayer {
   std::string name;
   GeometryKind geometry = GeometryKind::kMixed;
   std::vector<OsmItem> items;
+  std::string storey{};  ///< of an indoor map that has several
 };
 
 /// The layers that hold something.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <set>
 #include <unordered_map>
 
 #include "converter/gdal/feature_filter.hpp"
+#include "converter/gdal/stored_file.hpp"
 #include "converter/osm/osm_areas.hpp"
 #include "converter/osm/osm_data.hpp"
 #include "converter/osm/osm_layers.hpp"
@@ -189,7 +189,7 @@ class OsmReader : public SourceReader {
     const auto crs = wgs84();
     for (const auto& layer : sorted_) {
       infos_.push_back({layer.name, data_.keys, layer.geometry, crs,
-                        static_cast<std::int64_t>(layer.items.size())});
+                        static_cast<std::int64_t>(layer.items.size()), 1.0, layer.storey});
     }
   }
 
@@ -252,9 +252,8 @@ bool ends_with_any(const std::string& path, std::initializer_list<const char*> e
 bool is_osm(const std::string& path) {
   if (ends_with_any(path, {".osm", ".osm.gz", ".osm.bz2", ".pbf", ".osc", ".osc.gz"})) return true;
   std::array<char, 512> start{};
-  std::ifstream in(path, std::ios::binary);
-  in.read(start.data(), start.size());
-  const std::string_view text(start.data(), static_cast<std::size_t>(in.gcount()));
+  const auto size = StoredFile(path).read(0, start.data(), start.size());
+  const std::string_view text(start.data(), size);
   return text.find("<osm ") != text.npos || text.substr(0, 32).find("OSMHeader") != text.npos;
 }
 

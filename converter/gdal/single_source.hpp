@@ -1,0 +1,15 @@
+// Private to this folder: which reader knows a data set.
+#pragma once
+
+#include "converter/gdal/gdal_reader.hpp"
+
+namespace mapwright::converter {
+
+/// Opens a data set that is no archive, on disk or unpacked into memory: OSM by Osmium, IndoorGML
+/// and DXF by readers of our own, all else by the drivers named.
+OpenedReader open_single(const GdalInput& input, const DriverNotice& notice);
+
+/// True for a file that open_single knows by its content though its name does not tell.
+bool is_known_by_content(const std::string& path);
+
+}  // namespace mapwright::converter
