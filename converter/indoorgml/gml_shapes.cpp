@@ -73,10 +73,10 @@ GmlShapes::GmlShapes(const pugi::xml_document& document, double sagitta, bool no
 
 // Without recursion: the document may be nested as deep as its author liked.
 void GmlShapes::index(const pugi::xml_node& root) {
-  std::size_t shapes = 0;
+  std::size_t uses = 0;  // shapes, and links to them
   for (auto node = root.first_child(); node && node != root;) {
     if (const auto id = attribute(node, "id"); !id.empty()) by_id_.try_emplace(id, node);
-    if (is_leaf(node)) ++shapes;
+    if (is_leaf(node) || !attribute(node, "href").empty()) ++uses;
     if (node.first_child()) {
       node = node.first_child();
       continue;
@@ -84,7 +84,7 @@ void GmlShapes::index(const pugi::xml_node& root) {
     while (node && node != root && !node.next_sibling()) node = node.parent();
     if (node && node != root) node = node.next_sibling();
   }
-  left_ = kUsesOfAShape * (shapes + 1);
+  left_ = kUsesOfAShape * (uses + 1);
 }
 
 void GmlShapes::append(const pugi::xml_node& node, IndoorObject& object) {
@@ -92,6 +92,7 @@ void GmlShapes::append(const pugi::xml_node& node, IndoorObject& object) {
 }
 
 void GmlShapes::walk(const pugi::xml_node& node, int depth, IndoorObject& object) {
+  if (left_ == 0 || !object.problem.empty()) return;
   if (depth > kDeepest) {
     object.problem = "its geometry is nested too deep, or refers to itself";
     return;
@@ -99,6 +100,7 @@ void GmlShapes::walk(const pugi::xml_node& node, int depth, IndoorObject& object
   if (is_leaf(node)) return add_leaf(node, object);
   const auto link = attribute(node, "href");
   if (!node.first_child() && link.starts_with("#")) {
+    --left_;
     const auto target = by_id_.find(link.substr(1));
     if (target != by_id_.end()) return walk(target->second, depth + 1, object);
     object.problem = "it refers to '" + std::string(link) + "', which the document does not hold";
@@ -106,7 +108,6 @@ void GmlShapes::walk(const pugi::xml_node& node, int depth, IndoorObject& object
   }
   const bool solid = local_name(node) == "Solid";
   for (const auto& child : node.children()) {
-    if (left_ == 0) return;
     if (child.type() != pugi::node_element) continue;
     if (solid && local_name(child) == "interior") continue;
     walk(child, depth + 1, object);
@@ -114,7 +115,6 @@ void GmlShapes::walk(const pugi::xml_node& node, int depth, IndoorObject& object
 }
 
 void GmlShapes::add_leaf(const pugi::xml_node& node, IndoorObject& object) {
-  if (left_ == 0) return;
   --left_;
   std::ostringstream element;
   node.print(element, "", pugi::format_raw);

@@ -36,7 +36,7 @@ class GmlShapes {
   void index(const pugi::xml_node& root);
 
   std::unordered_map<std::string_view, pugi::xml_node> by_id_;
-  std::size_t left_ = 0;  // geometries that may still be read
+  std::size_t left_ = 0;  // shapes and links that may still be read
   double sagitta_;
   bool north_first_;
 };

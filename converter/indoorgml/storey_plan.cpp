@@ -169,17 +169,18 @@ bool StoreyPlan::is_ground(std::size_t cell) const {
          role_of_cell(document_.cells[cell]) == IndoorRole::kRoom;
 }
 
-// The lowest floor of the rooms around a place that reach up to its height; else the height itself.
+// The highest floor below a place of the rooms around it that reach up to it, since a ramp's lowest
+// point may be far; where there is none, the place itself.
 double StoreyPlan::ground_at(const Box& box, double z) const {
   const Box around = box.inflated(kReach_m / metres_per_unit_);
-  double ground = z;
+  std::optional<double> ground;
   for (const std::size_t cell : grounds_) {
     const auto& print = *footprints_[cell];
     if (*print.floor <= z && print.top.value_or(*print.floor) > z && meet(around, box_of(print))) {
-      ground = std::min(ground, *print.floor);
+      ground = std::max(ground.value_or(*print.floor), *print.floor);
     }
   }
-  return ground;
+  return ground.value_or(z);
 }
 
 // A cell in the wall that one walks through.

@@ -48,10 +48,7 @@ class Sorter {
     for (auto* layer : {&points_, &lines_, &polygons_, &multipolygons_, &relations_}) {
       if (!layer->items.empty()) layers.push_back(std::move(*layer));
     }
-    for (auto& [level, layer] : indoor_) {
-      if (indoor_.size() > 1) layer.storey = level;
-      layers.push_back(std::move(layer));
-    }
+    for (auto& [level, layer] : indoor_) layers.push_back(std::move(layer));
     return layers;
   }
 

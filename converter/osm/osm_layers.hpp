@@ -22,7 +22,6 @@ struct OsmLayer {
   std::string name;
   GeometryKind geometry = GeometryKind::kMixed;
   std::vector<OsmItem> items;
-  std::string storey{};  ///< of an indoor map that has several
 };
 
 /// The layers that hold something.

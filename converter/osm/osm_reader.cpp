@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "converter/gdal/feature_filter.hpp"
 #include "converter/gdal/stored_file.hpp"
@@ -188,14 +189,19 @@ class OsmReader : public SourceReader {
       : path_(std::move(path)), data_(std::move(data)), sorted_(osm_layers(data_)) {
     const auto crs = wgs84();
     for (const auto& layer : sorted_) {
-      infos_.push_back({layer.name, data_.keys, layer.geometry, crs,
-                        static_cast<std::int64_t>(layer.items.size()), 1.0, layer.storey});
+      auto& info = infos_.emplace_back();
+      info.name = layer.name;
+      info.fields = data_.keys;
+      info.geometry = layer.geometry;
+      info.crs = crs;
+      info.declared_features = static_cast<std::int64_t>(layer.items.size());
     }
+    warn_of_storeys();
   }
 
   const std::string& driver() const override { return driver_; }
   const std::vector<LayerInfo>& layers() const override { return infos_; }
-  std::vector<std::string> take_warnings() override { return {}; }
+  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
 
   Result<std::optional<Box>> extent(std::size_t layer) override {
     Box box = kEmptyBox;
@@ -235,7 +241,20 @@ class OsmReader : public SourceReader {
     }
   }
 
+  void warn_of_storeys() {
+    const auto is_indoor = [](const OsmLayer& layer) {
+      return layer.name.starts_with("osmAG level ");
+    };
+    const auto first = std::find_if(sorted_.begin(), sorted_.end(), is_indoor);
+    if (std::count_if(first, sorted_.end(), is_indoor) < 2) return;
+    warnings_.push_back(path_ +
+                        ": holds several levels of a building, which a map would have one on top "
+                        "of the other: take one, as with --layer '" +
+                        first->name + "'");
+  }
+
   std::string path_;
+  std::vector<std::string> warnings_;
   std::string driver_ = "OSM";
   OsmData data_;
   std::vector<OsmLayer> sorted_;
