@@ -93,14 +93,14 @@ class Sorter {
     std::vector<std::pair<double, std::size_t>> open;
     for (std::size_t i = 0; i < document_.cells.size(); ++i) {
       if (storey_of_cell_.count(i) > 0) continue;
-      open.emplace_back(floor_of(i).value_or(-std::numeric_limits<double>::infinity()), i);
+      open.emplace_back(floor_of(i).value_or(std::numeric_limits<double>::infinity()), i);
     }
     std::sort(open.begin(), open.end());
     const bool any_named = !storeys_.empty();
     double below = open.empty() ? 0.0 : open.front().first;  // the floor before
     for (const auto& [floor, cell] : open) {
       if (!std::isfinite(floor)) {
-        add_cell(any_named ? 0 : named(""), cell);
+        add_cell(storeys_.empty() ? named("") : 0, cell);
         continue;
       }
       const auto storey = storey_at(floor);

@@ -232,9 +232,8 @@ TEST_F(IndoorGml, HostileDocumentsEndSoon) {
   EXPECT_NE(message(document(cell("W", flat(kWest))).substr(0, 500)).find("damaged"),
             std::string::npos);
   // Links that refer to themselves, and twice to what refers twice to …
-  auto self = read(document(
-      cell("W", "<cellSpaceGeometry gml:id='g'><x xlink:href='#g'/></cellSpaceGeometry>")));
-  EXPECT_NE(self["IndoorGML"]["W"].broken.find("itself"), std::string::npos);
+  const std::string self = "<cellSpaceGeometry gml:id='g'><x xlink:href='#g'/></cellSpaceGeometry>";
+  EXPECT_NE(message(document(cell("W", self))).find("without end"), std::string::npos);
   std::string bomb;
   for (int i = 0; i < 25; ++i) {
     const auto n = std::to_string(i), next = std::to_string(i + 1);
