@@ -1,5 +1,6 @@
 #include "converter/gdal/single_source.hpp"
 
+#include "converter/gdal/csv_reader.hpp"
 #include "converter/gdal/dxf_reader.hpp"
 #include "converter/indoorgml/indoorgml_reader.hpp"
 #include "converter/osm/osm_reader.hpp"
@@ -15,11 +16,8 @@ OpenedReader open_single(const GdalInput& input, const DriverNotice& notice) {
     notice("IndoorGML");
     return open_indoorgml(input.path);
   }
+  if (is_csv(input.path)) return open_csv(input, notice);
   return is_dxf(input.path) ? open_dxf(input, notice) : open_gdal(input, notice);
-}
-
-bool is_known_by_content(const std::string& path) {
-  return is_osm(path) || is_indoorgml(path);
 }
 
 }  // namespace mapwright::converter

@@ -5,11 +5,8 @@
 
 namespace mapwright::converter {
 
-/// Opens a data set that is no archive, on disk or unpacked into memory: OSM by Osmium, IndoorGML
-/// and DXF by readers of our own, all else by the drivers named.
+/// Opens a data set that is no archive, on disk or unpacked into memory: OSM by Osmium, IndoorGML,
+/// CSV and DXF by readers of our own, all else by the drivers named.
 OpenedReader open_single(const GdalInput& input, const DriverNotice& notice);
-
-/// True for a file that open_single knows by its content though its name does not tell.
-bool is_known_by_content(const std::string& path);
 
 }  // namespace mapwright::converter

@@ -6,6 +6,7 @@
 
 #include "converter/pipeline/outlines.hpp"
 #include "converter/pipeline/walls.hpp"
+#include "converter/source/geometry_parts.hpp"
 #include "mapcore/text/writer.hpp"
 
 namespace mapwright::converter {
@@ -79,6 +80,30 @@ void LayerConverter::convert(SourceFeature& feature) {
     options_.progress(done_, total > 0 ? static_cast<std::size_t>(total) : done_);
   }
   const std::size_t account = workspace_.ledger.open(source_, feature.fid);
+  if (geometry_kind(feature.geometry) == GeometryKind::kMixed && feature.selected) {
+    return convert_parts(feature, account);
+  }
+  convert_part(feature, account);
+}
+
+// A geometry collection: what a rule for polygons makes of its polygons, a rule for lines makes of
+// its lines. What no rule makes anything of is left out, which changes the feature.
+void LayerConverter::convert_parts(const SourceFeature& feature, std::size_t account) {
+  auto& outcome = workspace_.ledger.features[account].outcome;
+  bool is_built = false, is_changed = false;
+  SourceFeature part = feature;
+  for (auto& geometry : parts_by_kind(feature.geometry)) {
+    outcome = Outcome::kWritten;
+    part.geometry = std::move(geometry);
+    convert_part(part, account);
+    is_built = is_built || outcome != Outcome::kDropped;
+    is_changed = is_changed || outcome != Outcome::kWritten;
+    part.warnings.clear();  // told once
+  }
+  outcome = !is_built ? Outcome::kDropped : is_changed ? Outcome::kChanged : Outcome::kWritten;
+}
+
+void LayerConverter::convert_part(SourceFeature& feature, std::size_t account) {
   if (!selects(feature, account) || !interprets(feature, account)) return;
   if (!places(feature, account) || !keeps(feature, account)) return;
   tell_about_values(feature, account);

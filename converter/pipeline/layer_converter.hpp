@@ -23,6 +23,8 @@ class LayerConverter {
 
  private:
   void convert(SourceFeature& feature);
+  void convert_parts(const SourceFeature& feature, std::size_t account);
+  void convert_part(SourceFeature& feature, std::size_t account);
   bool is_exported_obstacle(const SourceFeature& feature);
   bool selects(const SourceFeature& feature, std::size_t account);
   bool interprets(const SourceFeature& feature, std::size_t account);
