@@ -128,9 +128,8 @@ class FeatureMaker {
       feature.broken = lacks(missing, way.nodes.size(), "nodes");
       return;
     }
-    feature.geometry.paths.push_back(
-        {0, static_cast<std::uint32_t>(way.nodes.size()), PathRole::kOuterRing, false});
-    for (const auto node : way.nodes) append(data_.places.at(node), feature.geometry);
+    const auto problem = append_area_of_way(way, data_, feature.geometry);
+    if (!problem.empty()) feature.warnings.push_back(problem);
   }
 
   void make_multipolygon(const OsmRelation& relation, SourceFeature& feature) const {

@@ -125,7 +125,9 @@ bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) 
   for (const auto& warning : feature.warnings) ledger.change(account, FindingCode::C224, warning);
   if (!feature.broken.empty()) {
     // Only what a rule would have made something of is lost.
-    if (interprets(feature, account)) ledger.drop(account, FindingCode::C229, feature.broken);
+    if (would_build(feature) || interprets(feature, account)) {
+      ledger.drop(account, FindingCode::C229, feature.broken);
+    }
     return false;
   }
   const auto& geometry = feature.geometry;
@@ -145,6 +147,18 @@ bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) 
                                       : "its " + geometry.type + " is empty");
   }
   return false;
+}
+
+// Whether a rule would have made something of a feature without readable geometry. In a layer of
+// all kinds it may have been of any.
+bool LayerConverter::would_build(const SourceFeature& feature) {
+  if (job_.info().geometry != GeometryKind::kMixed) return false;
+  const auto builds = [&](GeometryKind kind) {
+    rules_.interpret(feature, kind, meaning_);
+    return meaning_.rule != nullptr && meaning_.rule->kind != FeatureKind::kIgnore;
+  };
+  return builds(GeometryKind::kPolygon) || builds(GeometryKind::kLine) ||
+         builds(GeometryKind::kPoint);
 }
 
 // Whether a rule makes something of it.
