@@ -64,6 +64,15 @@ bool is_companion(const std::string& name) {
   return contains(kExtensions, lower_extension(name));
 }
 
+// What systems leave in archives beside the files: resource forks of macOS have the files' own
+// names.
+bool is_litter(const std::string& name) {
+  const fs::path path(name);
+  const std::string file = path.filename().string();
+  return std::find(path.begin(), path.end(), "__MACOSX") != path.end() || file.starts_with("._") ||
+         file == ".DS_Store" || file == "Thumbs.db";
+}
+
 struct Member {
   std::string name;
   std::uint64_t bytes = 0;
@@ -246,6 +255,7 @@ OpenedReader open_archive(const std::string& path, const std::vector<std::string
   auto reader = std::make_unique<ArchiveReader>(path);
   std::vector<std::string> datasets;
   for (const auto& member : *members) {
+    if (is_litter(member.name)) continue;
     if (!is_dataset(member.name) && !is_companion(member.name)) {
       reader->warn(path + ": " + member.name + " in it is not read");
       continue;

@@ -1,4 +1,5 @@
 // `mapwright convert` on sources that say things in ways of their own.
+#include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -86,6 +87,21 @@ std::string drawing(const std::string& layer) {
          "1252\n0\nENDSEC\n0\n"
          "SECTION\n2\nENTITIES\n0\nLINE\n8\n" +
          layer + "\n10\n0\n20\n0\n11\n5\n21\n0\n0\nENDSEC\n0\nEOF\n";
+}
+
+TEST_F(Sources, ArchivesOfMacsHoldMoreThanTheFiles) {
+  const std::string zip = folder_.path("site.zip");
+  const auto pack = [&](const std::string& name, const std::string& bytes) {
+    auto* out = VSIFOpenL(("/vsizip/" + zip + "/" + name).c_str(), "wb");
+    ASSERT_NE(out, nullptr);
+    VSIFWriteL(bytes.data(), 1, bytes.size(), out);
+    VSIFCloseL(out);
+  };
+  pack("site.csv", std::string("WKT\n\"") + kSquare + "\"\n");
+  pack("__MACOSX/._site.csv", std::string("\0\5\26\7\0", 5));
+  const auto result = test::run({"convert", zip, "--local", "-o", folder_.path("map.txt")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err.find("MACOSX"), std::string::npos) << result.err;
 }
 
 TEST_F(Sources, DrawingsAreReadInTheEncodingTheyAreIn) {

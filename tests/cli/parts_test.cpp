@@ -55,6 +55,27 @@ TEST_F(Parts, OfTheCampusMergeToTheCampus) {
   }
 }
 
+TEST_F(Parts, CutOnesMergeToTheCampusToo) {
+  std::vector<std::string> arguments{"merge", "-o", folder_.path("all.txt")};
+  for (const std::string tile : {"0,0,37.5,45", "37.5,0,112,45", "0,45,60,90", "50,45,112,90"}) {
+    arguments.push_back(
+        crop("part" + std::to_string(arguments.size()) + ".txt", {"--bbox", tile, "--cut"}));
+    EXPECT_NE(content(arguments.back()).find("cut="), std::string::npos) << tile;
+  }
+  const auto result = run(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(content(folder_.path("all.txt")), content(campus_));
+  // A piece that somebody has moved is nobody's.
+  std::string moved = content(arguments.back());
+  const auto at = moved.find(";\n", moved.find("cut="));
+  ASSERT_NE(at, std::string::npos);
+  moved.replace(moved.find("0;", at), 2, "1;");
+  folder_.file(std::filesystem::path(arguments.back()).filename().string(), moved);
+  const auto refused = run(arguments);
+  EXPECT_EQ(refused.status, 2) << refused.err;
+  EXPECT_NE(refused.err.find("crop that part anew"), std::string::npos) << refused.err;
+}
+
 TEST_F(Parts, CutOnesAreValidButForStairsAndRampsAcrossTheEdge) {
   const std::string part = crop("cut.txt", {"--bbox", "20,10,80,70", "--cut"});
   const Map map = read_map(content(part)).map;
