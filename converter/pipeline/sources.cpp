@@ -185,7 +185,8 @@ Failure no_degrees(const LayerJob& job, const std::vector<double>& xs,
                 ys.front(), ys.back());
   const std::string advice = are_degrees(ys, xs)
                                  ? "; the axes look exchanged, use --swap-axes"
-                                 : "; the CRS is another one, or use --local for plain metres";
+                                 : "; the CRS is another one, or use --local for plain metres" +
+                                       crs_advice_instead(*job.source, job.layer);
   return {FailureKind::kInput, job.source->path() + ": layer " + job.info().name +
                                    " is said to be in " + job.crs.title() + ", but " + range +
                                    " are no longitudes and latitudes" + advice};

@@ -116,6 +116,17 @@ TEST_F(Sources, DrawingsAreReadInTheEncodingTheyAreIn) {
   EXPECT_NE(content(folder_.path("r.json")).find("壁"), std::string::npos);
 }
 
+// Exports that forget the member 'crs' are in degrees by the standard.
+TEST_F(Sources, MetresThatAreSaidToBeDegreesAreGuessed) {
+  const auto path = folder_.file("utm.geojson", R"({"type":"FeatureCollection","features":[{"type":
+    "Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[430000,4582000],
+    [430012,4582000],[430012,4582008],[430000,4582008],[430000,4582000]]]}}]})");
+  const auto result = test::run({"convert", path, "-o", folder_.path("map.txt")});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("UTM"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("--override-crs EPSG:326ZZ"), std::string::npos) << result.err;
+}
+
 TEST_F(Sources, AGmlDocumentThatIsNoXmlIsNotAnEmptyOne) {
   const std::string head =
       "<gml:FeatureCollection xmlns:gml=\"http://www.opengis.net/gml\"><gml:featureMember><a "
