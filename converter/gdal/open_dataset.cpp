@@ -40,8 +40,8 @@ constexpr const char* kOpenOptions[] = {"NOLOCK=YES",
                                         nullptr};
 
 // The GML driver opens documents that it could not read, and says so in passing.
-bool is_unread(const std::string& warning) {
-  return warning.find("XML parsing of GML file failed") != warning.npos;
+bool is_unread(const std::string& message) {
+  return message.find("XML parsing of GML file failed") != message.npos;
 }
 
 bool is_about_open_options(const std::string& warning) {
@@ -79,6 +79,9 @@ Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& n
                                          GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                          drivers.data(), kOpenOptions, nullptr));
   if (!opened.dataset) return input_failure(refusal(input, messages, candidate != nullptr));
+  if (messages.has_error() && is_unread(messages.first_error())) {
+    return input_failure(input.title + ": cannot be read: " + messages.first_error());
+  }
   for (auto& warning : messages.take_warnings()) {
     if (is_unread(warning)) return input_failure(input.title + ": cannot be read: " + warning);
     if (!is_about_open_options(warning)) opened.warnings.push_back(input.title + ": " + warning);

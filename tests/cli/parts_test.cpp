@@ -6,6 +6,7 @@
 
 #include "mapcore/georeference.hpp"
 #include "mapcore/text/reader.hpp"
+#include "mapcore/text/writer.hpp"
 #include "tests/cli/program_run.hpp"
 #include "tests/support/data.hpp"
 
@@ -65,12 +66,14 @@ TEST_F(Parts, CutOnesMergeToTheCampusToo) {
   const auto result = run(arguments);
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(content(folder_.path("all.txt")), content(campus_));
-  // A piece that somebody has moved is nobody's.
-  std::string moved = content(arguments.back());
-  const auto at = moved.find(";\n", moved.find("cut="));
-  ASSERT_NE(at, std::string::npos);
-  moved.replace(moved.find("0;", at), 2, "1;");
-  folder_.file(std::filesystem::path(arguments.back()).filename().string(), moved);
+  // A piece that somebody has raised is no piece of it any more.
+  Map edited = read_map(content(arguments.back())).map;
+  const auto piece =
+      std::find_if(edited.obstacles.begin(), edited.obstacles.end(),
+                   [](const Obstacle& o) { return o.semantic.value("cut").has_value(); });
+  ASSERT_NE(piece, edited.obstacles.end());
+  piece->segments.front().height_m += 1.0;
+  std::ofstream(arguments.back(), std::ios::binary) << format_map(edited);
   const auto refused = run(arguments);
   EXPECT_EQ(refused.status, 2) << refused.err;
   EXPECT_NE(refused.err.find("crop that part anew"), std::string::npos) << refused.err;
