@@ -53,7 +53,7 @@ void ConvertArguments::declare(po::options_description& options,
       "convert this layer only; may be given several times (default: all)");
   add("rules", po::value(&rules_)->default_value("auto"),
       "what layers and fields mean: a rules file, or a built-in set: auto, osm, cadastre, "
-      "mapwright");
+      "indoorgml, mapwright");
   add("explain-rules", po::bool_switch(&explain_rules_),
       "print which rules fit each layer and why, and convert nothing");
   add("where", po::value(&options_.where),

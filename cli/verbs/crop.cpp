@@ -19,7 +19,8 @@ the box around it) within the map's border.
 Obstacles stay whole, so that the parts of a map merge to the map again ('mapwright merge'); those
 that reach beyond the part's border are findings G109 to 'validate'. --cut clips outlines and walls
 at the box instead: a solid's new edges have its height and are labelled "cut"; stairs and ramps stay
-whole. Such parts are valid by themselves but for those, and do not merge.
+whole. Such parts are valid by themselves but for those. Their pieces carry the whole obstacle, so that
+they merge to the map as well.
 
 Examples:
   mapwright crop campus.txt -o east.txt --bbox 50,0,112,90

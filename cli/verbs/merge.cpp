@@ -15,8 +15,9 @@ namespace po = boost::program_options;
 
 constexpr std::string_view kDescription =
     R"(Puts maps together. An obstacle that several parts have is taken once, so that the parts of a map
-that 'mapwright crop' made give the map again, to the byte, where its ids ascend as convert's do. The
-border is the box around all borders.
+that 'mapwright crop' made, with --cut or without, give the map again, to the byte, where its ids ascend
+as convert's do. The border is the box around all borders. Pieces of cut obstacles that were changed
+since are refused.
 
 Obstacles of different places with the same id are told apart: the later one gets a new id, which is
 said. Different versions of one obstacle (same id, a segment in common) stop the merge, unless

@@ -88,4 +88,16 @@ std::string crs_advice(const std::vector<std::unique_ptr<VectorSource>>& sources
   return guesses_text(evidence, guess_crs(evidence, neighbours_of(sources)));
 }
 
+std::string crs_advice_instead(VectorSource& source, std::size_t layer) {
+  EvidenceCollector collector;
+  collect(source, layer, collector);
+  const auto evidence = collector.evidence();
+  auto text = guesses_text(evidence, guess_crs(evidence, {}));
+  const std::string fallback = "--source-crs", instead = "--override-crs";
+  for (auto at = text.find(fallback); at != text.npos; at = text.find(fallback, at)) {
+    text.replace(at, fallback.size(), instead);
+  }
+  return text;
+}
+
 }  // namespace mapwright::converter

@@ -14,4 +14,8 @@ namespace mapwright::converter {
 /// shapefiles beside them.
 std::string crs_advice(const std::vector<std::unique_ptr<VectorSource>>& sources);
 
+/// The same for one layer that states degrees and has other coordinates, as GeoJSON files of
+/// exports do that do not know better.
+std::string crs_advice_instead(VectorSource& source, std::size_t layer);
+
 }  // namespace mapwright::converter

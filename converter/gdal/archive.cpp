@@ -10,9 +10,8 @@
 #include <filesystem>
 #include <map>
 
-#include "converter/gdal/dxf_reader.hpp"
-#include "converter/gdal/gdal_reader.hpp"
 #include "converter/gdal/messages.hpp"
+#include "converter/gdal/single_source.hpp"
 #include "converter/gdal/stored_file.hpp"
 
 namespace mapwright::converter {
@@ -50,10 +49,11 @@ bool contains(const std::vector<std::string>& texts, const std::string& text) {
 }
 
 bool is_dataset(const std::string& name) {
-  static const std::vector<std::string> kExtensions{".shp", ".gpkg", ".geojson", ".json",    ".fgb",
-                                                    ".kml", ".gml",  ".dxf",     ".csv",     ".tab",
-                                                    ".mif", ".xml",  ".sqlite",  ".topojson"};
-  return contains(kExtensions, lower_extension(name));
+  static const std::vector<std::string> kExtensions{
+      ".shp", ".gpkg", ".geojson", ".json", ".fgb",    ".kml",      ".gml", ".dxf",
+      ".csv", ".tab",  ".mif",     ".xml",  ".sqlite", ".topojson", ".osm", ".pbf"};
+  return contains(kExtensions, lower_extension(name)) || name.ends_with(".osm.gz") ||
+         name.ends_with(".osm.bz2");
 }
 
 // What belongs to a data set beside it.
@@ -62,6 +62,15 @@ bool is_companion(const std::string& name) {
                                                     ".sbx", ".idm", ".ind", ".idx", ".qmd", ".qpj",
                                                     ".xsd", ".dat", ".id",  ".map", ".mid", ".gfs"};
   return contains(kExtensions, lower_extension(name));
+}
+
+// What systems leave in archives beside the files: resource forks of macOS have the files' own
+// names.
+bool is_litter(const std::string& name) {
+  const fs::path path(name);
+  const std::string file = path.filename().string();
+  return std::find(path.begin(), path.end(), "__MACOSX") != path.end() || file.starts_with("._") ||
+         file == ".DS_Store" || file == "Thumbs.db";
 }
 
 struct Member {
@@ -246,6 +255,7 @@ OpenedReader open_archive(const std::string& path, const std::vector<std::string
   auto reader = std::make_unique<ArchiveReader>(path);
   std::vector<std::string> datasets;
   for (const auto& member : *members) {
+    if (is_litter(member.name)) continue;
     if (!is_dataset(member.name) && !is_companion(member.name)) {
       reader->warn(path + ": " + member.name + " in it is not read");
       continue;
@@ -256,7 +266,7 @@ OpenedReader open_archive(const std::string& path, const std::vector<std::string
   }
   for (const auto& dataset : datasets) {
     const GdalInput input{dataset, reader->renamed(dataset), {}, drivers};
-    auto opened = is_dxf(dataset) ? open_dxf(input, notice) : open_gdal(input, notice);
+    auto opened = open_single(input, notice);
     if (!opened) return tl::unexpected(reader->renamed(opened.error()));
     reader->add(*std::move(opened));
   }

@@ -1,5 +1,8 @@
 #include "converter/gdal/dxf_header.hpp"
 
+#include <cpl_string.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string_view>
@@ -39,6 +42,14 @@ std::string_view next_line(std::string_view text, std::size_t& at) {
 }
 
 }  // namespace
+
+bool dxf_is_utf8(const std::string& path) {
+  const auto content = stored_content(path);
+  if (!content) return false;
+  const bool ascii = std::all_of(content->begin(), content->end(),
+                                 [](char c) { return static_cast<unsigned char>(c) < 0x80U; });
+  return !ascii && CPLIsUTF8(content->data(), static_cast<int>(content->size())) != 0;
+}
 
 std::optional<double> dxf_metres_per_unit(const std::string& path) {
   std::string header(kHeaderBytes, '\0');

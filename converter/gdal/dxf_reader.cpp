@@ -161,6 +161,7 @@ bool is_dxf(const std::string& path) {
 
 OpenedReader open_dxf(const GdalInput& input, const DriverNotice& notice) {
   CPLSetConfigOption("OGR_ARC_STEPSIZE", kArcStep_deg);
+  CPLSetConfigOption("DXF_ENCODING", dxf_is_utf8(input.path) ? "UTF-8" : nullptr);
   auto drawing = open_gdal(input, notice);
   if (!drawing || (*drawing)->driver() != "DXF") return drawing;
   auto reader = std::make_unique<DxfReader>(input, *std::move(drawing));

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "converter/gdal/csv_reader.hpp"
 #include "converter/gdal/drivers.hpp"
 #include "converter/gdal/messages.hpp"
 #include "converter/gdal/private_copy.hpp"
@@ -33,9 +34,15 @@ constexpr const char* kOpenOptions[] = {"NOLOCK=YES",
                                         "WRITE_GFS=NO",
                                         "LIST_ALL_TABLES=NO",
                                         "AUTODETECT_TYPE=YES",
-                                        "KEEP_GEOM_COLUMNS=NO",
+                                        "KEEP_GEOM_COLUMNS=YES",
+                                        kShapeColumnsOption,
                                         "DATE_AS_STRING=YES",
                                         nullptr};
+
+// The GML driver opens documents that it could not read, and says so in passing.
+bool is_unread(const std::string& message) {
+  return message.find("XML parsing of GML file failed") != message.npos;
+}
 
 bool is_about_open_options(const std::string& warning) {
   return warning.find("open option") != warning.npos;
@@ -72,7 +79,11 @@ Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& n
                                          GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                          drivers.data(), kOpenOptions, nullptr));
   if (!opened.dataset) return input_failure(refusal(input, messages, candidate != nullptr));
+  if (messages.has_error() && is_unread(messages.first_error())) {
+    return input_failure(input.title + ": cannot be read: " + messages.first_error());
+  }
   for (auto& warning : messages.take_warnings()) {
+    if (is_unread(warning)) return input_failure(input.title + ": cannot be read: " + warning);
     if (!is_about_open_options(warning)) opened.warnings.push_back(input.title + ": " + warning);
   }
   return opened;

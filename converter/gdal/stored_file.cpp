@@ -23,4 +23,14 @@ std::size_t StoredFile::read(std::uint64_t offset, void* bytes, std::size_t size
   return VSIFReadL(bytes, 1, size, file);
 }
 
+std::optional<std::string> stored_content(const std::string& path) {
+  const auto bytes = stored_bytes(path);
+  if (!bytes) return std::nullopt;
+  std::string content(*bytes, '\0');
+  if (StoredFile(path).read(0, content.data(), content.size()) != content.size()) {
+    return std::nullopt;
+  }
+  return content;
+}
+
 }  // namespace mapwright::converter

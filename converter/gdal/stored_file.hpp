@@ -1,4 +1,4 @@
-// Private to this folder: bytes of a file, on disk or in an archive that GDAL has unpacked.
+// Bytes of a file, on disk or in an archive that GDAL has unpacked.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,9 @@ namespace mapwright::converter {
 
 /// Size of a regular file; nothing where there is none.
 std::optional<std::uint64_t> stored_bytes(const std::string& path);
+
+/// All bytes of a file; nothing where they cannot be read.
+std::optional<std::string> stored_content(const std::string& path);
 
 /// A file open for reading; one that cannot be opened has no bytes.
 class StoredFile {

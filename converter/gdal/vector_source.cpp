@@ -4,9 +4,9 @@
 
 #include "converter/gdal/archive.hpp"
 #include "converter/gdal/drivers.hpp"
-#include "converter/gdal/dxf_reader.hpp"
 #include "converter/gdal/gdal_reader.hpp"
 #include "converter/gdal/private_copy.hpp"
+#include "converter/gdal/single_source.hpp"
 #include "converter/isolation/isolated_reader.hpp"
 #include "converter/osm/osm_reader.hpp"
 
@@ -52,12 +52,9 @@ std::uint64_t bytes_to_read(const std::string& path) {
 }
 
 OpenedReader open_by_format(const GdalInput& input, const DriverNotice& notice) {
-  if (is_osm(input.path)) {
-    notice("OSM");
-    return open_osm(input.path);
-  }
-  if (is_archive(input.path)) return open_archive(input.path, input.drivers, notice);
-  return is_dxf(input.path) ? open_dxf(input, notice) : open_gdal(input, notice);
+  const bool archive = is_archive(input.path) && !is_osm(input.path);  // OSM may be gzipped
+  if (archive) return open_archive(input.path, input.drivers, notice);
+  return open_single(input, notice);
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ void put(WireWriter& wire, const std::vector<LayerInfo>& layers) {
     put_crs(wire, layer.crs);
     wire.put(layer.declared_features);
     wire.put(layer.metres_per_local_unit);
+    wire.put(layer.storey);
     wire.put(layer.chains_lines);
   }
 }
@@ -106,6 +107,7 @@ void get(WireReader& wire, std::vector<LayerInfo>& layers) {
     get_crs(wire, layer.crs);
     wire.get(layer.declared_features);
     wire.get(layer.metres_per_local_unit);
+    wire.get(layer.storey);
     wire.get(layer.chains_lines);
   }
 }

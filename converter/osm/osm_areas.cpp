@@ -1,21 +1,31 @@
 #include "converter/osm/osm_areas.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <osmium/area/assembler.hpp>
 #include <osmium/builder/osm_object_builder.hpp>
 #include <osmium/memory/buffer.hpp>
 #include <osmium/osm.hpp>
+#include <set>
 
 namespace mapwright::converter {
 namespace {
 
+using NodePair = std::pair<std::int64_t, std::int64_t>;
 using osmium::memory::Buffer;
 
-// Keeps the first problem: the others mostly follow from it.
+// Keeps the first problem: the others mostly follow from it. Stretches that come twice are one only
+// where no area comes out.
 class FirstProblem : public osmium::area::ProblemReporter {
  public:
-  const std::string& text() const { return text_; }
+  std::string text(bool has_area) const { return text_.empty() && !has_area ? cancelled_ : text_; }
+
+  /// Stretches of a way that lie in rings of another kind than its role says.
+  std::size_t wrong_stretches(std::int64_t way) const {
+    const auto wrong = wrong_stretches_.find(way);
+    return wrong == wrong_stretches_.end() ? 0 : wrong->second;
+  }
 
   void report_duplicate_node(osmium::object_id_type, osmium::object_id_type,
                              osmium::Location at) override {
@@ -27,7 +37,7 @@ class FirstProblem : public osmium::area::ProblemReporter {
     note("its ways cross", at);
   }
   void report_duplicate_segment(const osmium::NodeRef& a, const osmium::NodeRef&) override {
-    note("a piece of a way stands in it twice", a.location());
+    note("a piece of a way stands in it twice", a.location(), cancelled_);
   }
   void report_overlapping_segment(const osmium::NodeRef& a, const osmium::NodeRef&) override {
     note("its ways overlap", a.location());
@@ -35,16 +45,13 @@ class FirstProblem : public osmium::area::ProblemReporter {
   void report_ring_not_closed(const osmium::NodeRef& node, const osmium::Way*) override {
     note("its ring does not close", node.location());
   }
-  void report_role_should_be_outer(osmium::object_id_type, osmium::Location at,
+  void report_role_should_be_outer(osmium::object_id_type way, osmium::Location,
                                    osmium::Location) override {
-    note("an outer way has another role", at);
+    ++wrong_stretches_[way];
   }
-  void report_role_should_be_inner(osmium::object_id_type, osmium::Location at,
+  void report_role_should_be_inner(osmium::object_id_type way, osmium::Location,
                                    osmium::Location) override {
-    note("an inner way has another role", at);
-  }
-  void report_way_in_multiple_rings(const osmium::Way&) override {
-    note("a way is part of several rings", osmium::Location());
+    ++wrong_stretches_[way];
   }
   void report_duplicate_way(const osmium::Way&) override {
     note("a way is its member twice", osmium::Location());
@@ -54,16 +61,18 @@ class FirstProblem : public osmium::area::ProblemReporter {
   }
 
  private:
-  void note(const char* what, osmium::Location at) {
-    if (!text_.empty()) return;
-    text_ = what;
+  void note(const char* what, osmium::Location at) { note(what, at, text_); }
+  static void note(const char* what, osmium::Location at, std::string& text) {
+    if (!text.empty()) return;
+    text = what;
     if (!at.valid()) return;
     char place[64];
     std::snprintf(place, sizeof place, " near longitude %.7f, latitude %.7f", at.lon(), at.lat());
-    text_ += place;
+    text += place;
   }
 
-  std::string text_;
+  std::string text_, cancelled_;
+  std::map<std::int64_t, std::size_t> wrong_stretches_;  // by way
 };
 
 osmium::Location location_of(std::int64_t node, const OsmData& data) {
@@ -176,6 +185,106 @@ void append_unsorted(const std::vector<const OsmWay*>& ways, const OsmData& data
   }
 }
 
+// Two nodes at one place look like one and join nothing.
+std::string problem_of_nodes(const std::vector<const OsmWay*>& ways, const OsmData& data) {
+  std::map<std::pair<double, double>, std::int64_t> node_at;
+  for (const auto* way : ways) {
+    for (const auto node : way->nodes) {
+      const auto place = data.places.find(node);
+      if (place == data.places.end()) continue;
+      const auto [known, is_new] = node_at.try_emplace({place->second.x, place->second.y}, node);
+      if (!is_new && known->second != node) {
+        return "its nodes " + std::to_string(known->second) + " and " + std::to_string(node) +
+               " lie at the same place";
+      }
+    }
+  }
+  return {};
+}
+
+// Which ways walk each stretch between two nodes.
+std::map<NodePair, std::vector<const OsmWay*>> stretches_of(
+    const std::vector<const OsmWay*>& ways) {
+  std::map<NodePair, std::vector<const OsmWay*>> stretches;
+  for (const auto* way : ways) {
+    for (std::size_t i = 0; i + 1 < way->nodes.size(); ++i) {
+      stretches[std::minmax({way->nodes[i], way->nodes[i + 1]})].push_back(way);
+    }
+  }
+  return stretches;
+}
+
+// A way may be part of rings of both kinds: its role is wrong if no edge of it is as the role says.
+std::string problem_of_roles(const OsmRelation& relation, const std::vector<const OsmWay*>& ways,
+                             const FirstProblem& assembly) {
+  std::map<std::int64_t, std::string> roles;
+  for (const auto& member : relation.ways) roles.emplace(member.way, member.role);
+  std::map<std::int64_t, std::size_t> cancelled;
+  for (const auto& [nodes, users] : stretches_of(ways)) {
+    if (users.size() < 2) continue;
+    for (const auto* way : users) ++cancelled[way->id];
+    const auto is = [&](const char* role) {
+      return [&roles, role](const OsmWay* way) { return roles[way->id] == role; };
+    };
+    if (std::any_of(users.begin(), users.end(), is("outer")) &&
+        std::any_of(users.begin(), users.end(), is("inner"))) {
+      return "an outer way and an inner one share an edge at node " + std::to_string(nodes.first);
+    }
+  }
+  for (const auto* way : ways) {
+    const auto wrong = assembly.wrong_stretches(way->id);
+    if (wrong > 0 && wrong + cancelled[way->id] + 1 >= way->nodes.size()) {
+      return "way " + std::to_string(way->id) + " has the role of another kind of ring in it";
+    }
+  }
+  return {};
+}
+
+std::string problem_of_members(const OsmRelation& relation) {
+  std::set<std::int64_t> ids;
+  for (const auto& member : relation.ways) {
+    if (!ids.insert(member.way).second) {
+      return "way " + std::to_string(member.way) + " is its member twice";
+    }
+  }
+  return {};
+}
+
+// A stretch out and back again, with nothing at its end.
+std::string problem_of_spikes(const std::vector<const OsmWay*>& ways) {
+  std::map<std::int64_t, std::set<std::int64_t>> neighbours;
+  std::map<std::int64_t, std::size_t> visits;
+  for (const auto& [nodes, users] : stretches_of(ways)) {
+    neighbours[nodes.first].insert(nodes.second);
+    neighbours[nodes.second].insert(nodes.first);
+    visits[nodes.first] += users.size();
+    visits[nodes.second] += users.size();
+  }
+  for (const auto& [node, others] : neighbours) {
+    if (others.size() == 1 && visits[node] > 1) {
+      return "it goes to node " + std::to_string(node) + " and back the same way";
+    }
+  }
+  return {};
+}
+
+osmium::area::AssemblerConfig config_for(FirstProblem& problem) {
+  osmium::area::AssemblerConfig config;
+  config.problem_reporter = &problem;
+  config.create_empty_areas = false;
+  config.check_roles = true;
+  return config;
+}
+
+std::string first_of(std::string problem, std::string other) {
+  return problem.empty() ? std::move(other) : std::move(problem);
+}
+
+bool visits_a_node_twice(const OsmWay& way) {
+  std::set<std::int64_t> nodes(way.nodes.begin(), way.nodes.end());
+  return nodes.size() + 1 < way.nodes.size();
+}
+
 }  // namespace
 
 std::string append_multipolygon(const std::vector<const OsmWay*>& ways, const OsmRelation& relation,
@@ -192,16 +301,40 @@ std::string append_multipolygon(const std::vector<const OsmWay*>& ways, const Os
   for (const auto offset : offsets) pointers.push_back(&members.get<osmium::Way>(offset));
 
   FirstProblem problem;
-  osmium::area::AssemblerConfig config;
-  config.problem_reporter = &problem;
-  config.create_empty_areas = false;
+  const auto config = config_for(problem);
   Buffer areas(1024, Buffer::auto_grow::yes);
   osmium::area::Assembler assemble(config);
   assemble(members.get<osmium::Relation>(relation_offset), pointers, areas);
   for (const auto& area : areas.select<osmium::Area>()) append_area(area, geometry);
-  if (!geometry.paths.empty()) return problem.text();
+  const bool has_area = !geometry.paths.empty();
+  auto text = first_of(problem.text(has_area), problem_of_members(relation));
+  text = first_of(std::move(text), problem_of_roles(relation, ways, problem));
+  text = first_of(std::move(text), problem_of_spikes(ways));
+  text = first_of(std::move(text), problem_of_nodes(ways, data));
+  if (has_area) return text;
   append_unsorted(ways, data, geometry);
-  return problem.text().empty() ? "its ways form no ring" : problem.text();
+  return text.empty() ? "its ways form no ring" : text;
+}
+
+std::string append_area_of_way(const OsmWay& way, const OsmData& data, SourceGeometry& geometry) {
+  if (visits_a_node_twice(way)) {
+    Buffer ways(1024, Buffer::auto_grow::yes);
+    build(way, data, ways);
+    FirstProblem problem;
+    const auto config = config_for(problem);  // the assembler borrows it
+    Buffer areas(1024, Buffer::auto_grow::yes);
+    osmium::area::Assembler assemble(config);
+    assemble(ways.get<osmium::Way>(0), areas);
+    for (const auto& area : areas.select<osmium::Area>()) append_area(area, geometry);
+    if (!geometry.paths.empty()) {
+      return first_of(problem.text(true),
+                      first_of(problem_of_spikes({&way}), problem_of_nodes({&way}, data)));
+    }
+  }
+  geometry.paths.push_back(
+      {0, static_cast<std::uint32_t>(way.nodes.size()), PathRole::kOuterRing, false});
+  for (const auto node : way.nodes) append_point(data.places.at(node), geometry);
+  return problem_of_nodes({&way}, data);
 }
 
 }  // namespace mapwright::converter

@@ -8,6 +8,8 @@
 #include <osmium/io/xml_input.hpp>
 #include <osmium/osm.hpp>
 
+#include "converter/gdal/stored_file.hpp"
+
 namespace mapwright::converter {
 namespace {
 
@@ -58,6 +60,17 @@ void add(const osmium::OSMObject& object, OsmData& data) {
   }
 }
 
+// Osmium reads disks and memory, and not GDAL's virtual files.
+osmium::io::File file_of(const std::string& path, std::string& unpacked) {
+  if (!path.starts_with("/vsimem/")) return osmium::io::File{path};
+  unpacked = stored_content(path).value_or("");
+  const auto format = path.ends_with(".pbf")       ? "pbf"
+                      : path.ends_with(".osm.gz")  ? "osm.gz"
+                      : path.ends_with(".osm.bz2") ? "osm.bz2"
+                                                   : "osm";
+  return osmium::io::File{unpacked.data(), unpacked.size(), format};
+}
+
 }  // namespace
 
 std::uint32_t OsmData::key(const std::string& name) {
@@ -83,8 +96,9 @@ bool OsmData::has(const OsmTags& tags, const std::string& key, const std::string
 
 Result<OsmData> read_osm(const std::string& path) {
   OsmData data;
+  std::string unpacked;  // outlives the reader
   try {
-    osmium::io::Reader reader(osmium::io::File{path}, osmium::osm_entity_bits::nwr);
+    osmium::io::Reader reader(file_of(path, unpacked), osmium::osm_entity_bits::nwr);
     while (const auto buffer = reader.read()) {
       for (const auto& object : buffer.select<osmium::OSMObject>()) add(object, data);
     }

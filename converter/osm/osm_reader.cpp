@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "converter/gdal/feature_filter.hpp"
+#include "converter/gdal/stored_file.hpp"
 #include "converter/osm/osm_areas.hpp"
 #include "converter/osm/osm_data.hpp"
 #include "converter/osm/osm_layers.hpp"
@@ -127,9 +128,8 @@ class FeatureMaker {
       feature.broken = lacks(missing, way.nodes.size(), "nodes");
       return;
     }
-    feature.geometry.paths.push_back(
-        {0, static_cast<std::uint32_t>(way.nodes.size()), PathRole::kOuterRing, false});
-    for (const auto node : way.nodes) append(data_.places.at(node), feature.geometry);
+    const auto problem = append_area_of_way(way, data_, feature.geometry);
+    if (!problem.empty()) feature.warnings.push_back(problem);
   }
 
   void make_multipolygon(const OsmRelation& relation, SourceFeature& feature) const {
@@ -188,14 +188,19 @@ class OsmReader : public SourceReader {
       : path_(std::move(path)), data_(std::move(data)), sorted_(osm_layers(data_)) {
     const auto crs = wgs84();
     for (const auto& layer : sorted_) {
-      infos_.push_back({layer.name, data_.keys, layer.geometry, crs,
-                        static_cast<std::int64_t>(layer.items.size())});
+      auto& info = infos_.emplace_back();
+      info.name = layer.name;
+      info.fields = data_.keys;
+      info.geometry = layer.geometry;
+      info.crs = crs;
+      info.declared_features = static_cast<std::int64_t>(layer.items.size());
     }
+    warn_of_storeys();
   }
 
   const std::string& driver() const override { return driver_; }
   const std::vector<LayerInfo>& layers() const override { return infos_; }
-  std::vector<std::string> take_warnings() override { return {}; }
+  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
 
   Result<std::optional<Box>> extent(std::size_t layer) override {
     Box box = kEmptyBox;
@@ -235,7 +240,20 @@ class OsmReader : public SourceReader {
     }
   }
 
+  void warn_of_storeys() {
+    const auto is_indoor = [](const OsmLayer& layer) {
+      return layer.name.starts_with("osmAG level ");
+    };
+    const auto first = std::find_if(sorted_.begin(), sorted_.end(), is_indoor);
+    if (std::count_if(first, sorted_.end(), is_indoor) < 2) return;
+    warnings_.push_back(path_ +
+                        ": holds several levels of a building, which a map would have one on top "
+                        "of the other: take one, as with --layer '" +
+                        first->name + "'");
+  }
+
   std::string path_;
+  std::vector<std::string> warnings_;
   std::string driver_ = "OSM";
   OsmData data_;
   std::vector<OsmLayer> sorted_;
@@ -252,9 +270,8 @@ bool ends_with_any(const std::string& path, std::initializer_list<const char*> e
 bool is_osm(const std::string& path) {
   if (ends_with_any(path, {".osm", ".osm.gz", ".osm.bz2", ".pbf", ".osc", ".osc.gz"})) return true;
   std::array<char, 512> start{};
-  std::ifstream in(path, std::ios::binary);
-  in.read(start.data(), start.size());
-  const std::string_view text(start.data(), static_cast<std::size_t>(in.gcount()));
+  const auto size = StoredFile(path).read(0, start.data(), start.size());
+  const std::string_view text(start.data(), size);
   return text.find("<osm ") != text.npos || text.substr(0, 32).find("OSMHeader") != text.npos;
 }
 

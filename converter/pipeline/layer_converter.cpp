@@ -6,6 +6,7 @@
 
 #include "converter/pipeline/outlines.hpp"
 #include "converter/pipeline/walls.hpp"
+#include "converter/source/geometry_parts.hpp"
 #include "mapcore/text/writer.hpp"
 
 namespace mapwright::converter {
@@ -79,6 +80,30 @@ void LayerConverter::convert(SourceFeature& feature) {
     options_.progress(done_, total > 0 ? static_cast<std::size_t>(total) : done_);
   }
   const std::size_t account = workspace_.ledger.open(source_, feature.fid);
+  if (geometry_kind(feature.geometry) == GeometryKind::kMixed && feature.selected) {
+    return convert_parts(feature, account);
+  }
+  convert_part(feature, account);
+}
+
+// A geometry collection: what a rule for polygons makes of its polygons, a rule for lines makes of
+// its lines. What no rule makes anything of is left out, which changes the feature.
+void LayerConverter::convert_parts(const SourceFeature& feature, std::size_t account) {
+  auto& outcome = workspace_.ledger.features[account].outcome;
+  bool is_built = false, is_changed = false;
+  SourceFeature part = feature;
+  for (auto& geometry : parts_by_kind(feature.geometry)) {
+    outcome = Outcome::kWritten;
+    part.geometry = std::move(geometry);
+    convert_part(part, account);
+    is_built = is_built || outcome != Outcome::kDropped;
+    is_changed = is_changed || outcome != Outcome::kWritten;
+    part.warnings.clear();  // told once
+  }
+  outcome = !is_built ? Outcome::kDropped : is_changed ? Outcome::kChanged : Outcome::kWritten;
+}
+
+void LayerConverter::convert_part(SourceFeature& feature, std::size_t account) {
   if (!selects(feature, account) || !interprets(feature, account)) return;
   if (!places(feature, account) || !keeps(feature, account)) return;
   tell_about_values(feature, account);
@@ -100,7 +125,9 @@ bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) 
   for (const auto& warning : feature.warnings) ledger.change(account, FindingCode::C224, warning);
   if (!feature.broken.empty()) {
     // Only what a rule would have made something of is lost.
-    if (interprets(feature, account)) ledger.drop(account, FindingCode::C229, feature.broken);
+    if (would_build(feature) || interprets(feature, account)) {
+      ledger.drop(account, FindingCode::C229, feature.broken);
+    }
     return false;
   }
   const auto& geometry = feature.geometry;
@@ -120,6 +147,18 @@ bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) 
                                       : "its " + geometry.type + " is empty");
   }
   return false;
+}
+
+// Whether a rule would have made something of a feature without readable geometry. In a layer of
+// all kinds it may have been of any.
+bool LayerConverter::would_build(const SourceFeature& feature) {
+  if (job_.info().geometry != GeometryKind::kMixed) return false;
+  const auto builds = [&](GeometryKind kind) {
+    rules_.interpret(feature, kind, meaning_);
+    return meaning_.rule != nullptr && meaning_.rule->kind != FeatureKind::kIgnore;
+  };
+  return builds(GeometryKind::kPolygon) || builds(GeometryKind::kLine) ||
+         builds(GeometryKind::kPoint);
 }
 
 // Whether a rule makes something of it.

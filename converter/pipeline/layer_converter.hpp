@@ -23,8 +23,11 @@ class LayerConverter {
 
  private:
   void convert(SourceFeature& feature);
+  void convert_parts(const SourceFeature& feature, std::size_t account);
+  void convert_part(SourceFeature& feature, std::size_t account);
   bool is_exported_obstacle(const SourceFeature& feature);
   bool selects(const SourceFeature& feature, std::size_t account);
+  bool would_build(const SourceFeature& feature);
   bool interprets(const SourceFeature& feature, std::size_t account);
   void place_exactly(std::span<double> xs, std::span<double> ys);
   bool places(SourceFeature& feature, std::size_t account);

@@ -96,14 +96,48 @@ Result<void> open_source(const std::string& path, const ConvertOptions& options,
   return more;
 }
 
+const RuleSet* guessed_rules(const VectorSource& source, const ConvertOptions& options,
+                             const OpenedSources& opened) {
+  if (source.driver() == "OSM") return &opened.osm_rules;
+  return source.driver() == "IndoorGML" ? &opened.indoor_rules : &options.rules;
+}
+
+bool overlap(const Box& p, const Box& q) {
+  return p.min_x < q.max_x && q.min_x < p.max_x && p.min_y < q.max_y && q.min_y < p.max_y;
+}
+
+// A map is of one floor: storeys that lie one above the other do not make one.
+Result<void> check_storeys(VectorSource& source, const std::vector<std::string>& asked_for) {
+  std::vector<Box> boxes;
+  std::string names;
+  bool are_stacked = false;
+  for (std::size_t i = 0; i < source.layers().size(); ++i) {
+    const auto& layer = source.layers()[i];
+    if (layer.storey.empty() || !is_asked_for(layer, asked_for)) continue;
+    const auto extent = source.extent(i);
+    if (!extent) return tl::unexpected(extent.error());
+    if (!*extent) continue;
+    are_stacked = are_stacked || std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
+                    return overlap(box, **extent);
+                  });
+    boxes.push_back(**extent);
+    names += " --layer '" + layer.name + "'";
+  }
+  if (!are_stacked) return {};
+  return usage_failure(source.path() +
+                       ": holds storeys one above the other, and a map is of one: take one of" +
+                       names);
+}
+
 Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame>& frame,
                          const ConvertOptions& options, const UserCrs& said,
                          OpenedSources& opened) {
+  if (auto checked = check_storeys(source, options.layers); !checked) return checked;
   for (std::size_t i = 0; i < source.layers().size(); ++i) {
     const auto& layer = source.layers()[i];
     if (!is_asked_for(layer, options.layers)) continue;
     LayerJob job{&source, i, layer.crs, place_of(source), &options.rules};
-    if (options.rules_are_guessed && source.driver() == "OSM") job.rules = &opened.osm_rules;
+    if (options.rules_are_guessed) job.rules = guessed_rules(source, options, opened);
     if (is_exported(layer)) job.place = place_of_export(source, layer);
     if (options.rules_are_guessed && (frame || is_exported(layer))) {
       job.rules = &opened.mapwright_rules;
@@ -151,10 +185,23 @@ Failure no_degrees(const LayerJob& job, const std::vector<double>& xs,
                 ys.front(), ys.back());
   const std::string advice = are_degrees(ys, xs)
                                  ? "; the axes look exchanged, use --swap-axes"
-                                 : "; the CRS is another one, or use --local for plain metres";
+                                 : "; the CRS is another one, or use --local for plain metres" +
+                                       crs_advice_instead(*job.source, job.layer);
   return {FailureKind::kInput, job.source->path() + ": layer " + job.info().name +
                                    " is said to be in " + job.crs.title() + ", but " + range +
                                    " are no longitudes and latitudes" + advice};
+}
+
+Result<void> read_builtin_rules(OpenedSources& opened) {
+  const std::pair<const char*, RuleSet*> sets[] = {{"osm", &opened.osm_rules},
+                                                   {"indoorgml", &opened.indoor_rules},
+                                                   {"mapwright", &opened.mapwright_rules}};
+  for (const auto& [name, target] : sets) {
+    auto rules = read_rules(std::string(builtin_rules(name)), name);
+    if (!rules) return tl::unexpected(rules.error());
+    *target = *std::move(rules);
+  }
+  return {};
 }
 
 double tidy(double degrees) {
@@ -165,12 +212,7 @@ double tidy(double degrees) {
 
 Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& options) {
   auto opened = std::make_unique<OpenedSources>();
-  auto osm = read_rules(std::string(builtin_rules("osm")), "osm");
-  if (!osm) return tl::unexpected(osm.error());
-  opened->osm_rules = *std::move(osm);
-  auto ours = read_rules(std::string(builtin_rules("mapwright")), "mapwright");
-  if (!ours) return tl::unexpected(ours.error());
-  opened->mapwright_rules = *std::move(ours);
+  if (auto read = read_builtin_rules(*opened); !read) return tl::unexpected(read.error());
   const auto said = user_crs(options);
   if (!said) return tl::unexpected(said.error());
   for (const auto& path : options.sources) {

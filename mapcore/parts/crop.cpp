@@ -6,6 +6,7 @@
 #include "mapcore/geometry/orientation.hpp"
 #include "mapcore/parts/cut.hpp"
 #include "mapcore/parts/families.hpp"
+#include "mapcore/parts/sewing.hpp"
 #include "mapcore/text/decimal_format.hpp"
 
 namespace mapwright {
@@ -109,22 +110,8 @@ void keep_cut(const Map& map, const Selection& selection, const Box& box, double
   }
 }
 
-}  // namespace
-
-CropRegion CropRegion::of_disc(Point center, double radius_m) {
-  const Box box{center.x - radius_m, center.y - radius_m, center.x + radius_m, center.y + radius_m};
-  return {box, center, radius_m};
-}
-
-bool CropRegion::touches(Point a, Point b) const {
-  if (!center) return reaches_into(box, a, b);
-  return distance(closest_point_on_segment(*center, a, b), *center) <= radius_m;
-}
-
-Result<Crop> crop(const Map& map, const CropRegion& region, const CropOptions& options) {
-  if (options.cut && region.center) {
-    return usage_failure("only a box can cut obstacles: a disc's edge is no chain of segments");
-  }
+// A map without pieces of obstacles in it.
+Result<Crop> crop_whole(const Map& map, const CropRegion& region, const CropOptions& options) {
   const text::DecimalFormat format(options.resolution_m);
   const auto round = [&](double value) { return format.rounded(value); };
   Crop part;
@@ -143,6 +130,26 @@ Result<Crop> crop(const Map& map, const CropRegion& region, const CropOptions& o
     keep_whole(map, selection, part);
   count_protruding(part);
   return part;
+}
+
+}  // namespace
+
+CropRegion CropRegion::of_disc(Point center, double radius_m) {
+  const Box box{center.x - radius_m, center.y - radius_m, center.x + radius_m, center.y + radius_m};
+  return {box, center, radius_m};
+}
+
+bool CropRegion::touches(Point a, Point b) const {
+  if (!center) return reaches_into(box, a, b);
+  return distance(closest_point_on_segment(*center, a, b), *center) <= radius_m;
+}
+
+Result<Crop> crop(const Map& map, const CropRegion& region, const CropOptions& options) {
+  if (options.cut && region.center) {
+    return usage_failure("only a box can cut obstacles: a disc's edge is no chain of segments");
+  }
+  if (has_pieces(map)) return crop_whole(sewn(map).map, region, options);
+  return crop_whole(map, region, options);
 }
 
 }  // namespace mapwright

@@ -39,8 +39,11 @@ struct Crop {
 /// With `cut`, outlines and walls end at the box; stairs and ramps stay whole, for a part of them
 /// means something else (its top, its foot). A solid's new edges have its greatest height and the
 /// semantic string "cut"; a room (clockwise, in no outline) becomes the walls of it that are left.
-/// The first piece keeps the id, others get ids beyond the map's greatest and the token
-/// `part_of=<id>`.
+/// The first piece keeps the id and carries a token `cut=…` of which `merge` makes the whole
+/// obstacle again; others get ids beyond the map's greatest and the token `part_of=<id>`.
+///
+/// Parts may be cropped again: of a part that was cut, the obstacles as they were are cropped, so
+/// that it does not matter whether a map is cropped in one step or in several.
 ///
 /// Fails (kUsage) where the region has no area in common with the border.
 Result<Crop> crop(const Map& map, const CropRegion& region, const CropOptions& options = {});

@@ -6,12 +6,13 @@
 
 #include "mapcore/geometry/orientation.hpp"
 #include "mapcore/geometry/ring_repair.hpp"
+#include "mapcore/parts/cut_record.hpp"
+#include "mapcore/parts/piece_keys.hpp"
 
 namespace mapwright {
 namespace {
 
 constexpr const char* kCutEdge = "cut";
-constexpr std::string_view kPartOf = "part_of";
 
 // A side of the box: what lies to its inner side has `inside(p) >= 0`.
 struct Side {
@@ -160,11 +161,15 @@ void Cutter::cut_solid(std::span<const std::size_t> family, std::vector<Obstacle
     return;
   }
   const Obstacle& outline = map_.obstacles[family.front()];
+  std::vector<const Obstacle*> members;
+  for (const std::size_t i : family) members.push_back(&map_.obstacles[i]);
   for (const auto& polygon : *polygons) {
     Obstacle piece = outline_of(polygon.outer, outline, family);
-    if (&polygon != &polygons->front()) {
+    if (&polygon == &polygons->front()) {
+      leave_record(members, piece);
+    } else {
       piece.id = ++last_id_;
-      piece.semantic = piece.semantic.with_value(kPartOf, std::to_string(outline.id));
+      piece.semantic = piece.semantic.with_value(piece_key::kPartOf, std::to_string(outline.id));
     }
     const std::string id = std::to_string(piece.id);
     part.push_back(std::move(piece));
@@ -201,12 +206,20 @@ void Cutter::cut_chain(const Obstacle& obstacle, std::vector<Obstacle>& part) {
       piece.shape_type = piece.shape_type == ShapeType::kClosedCurve ? ShapeType::kOpenCurve
                                                                      : ShapeType::kOpenPolygon;
     }
-    if (i > 0) {
+    if (i == 0) {
+      const Obstacle* whole = &obstacle;
+      leave_record({&whole, 1}, piece);
+    } else {
       piece.id = ++last_id_;
-      piece.semantic = piece.semantic.with_value(kPartOf, std::to_string(obstacle.id));
+      piece.semantic = piece.semantic.with_value(piece_key::kPartOf, std::to_string(obstacle.id));
     }
     part.push_back(std::move(piece));
   }
+}
+
+void Cutter::leave_record(std::span<const Obstacle* const> family, Obstacle& piece) const {
+  piece.semantic =
+      piece.semantic.with_value(piece_key::kCut, format_cut_record(resolution_m_, family));
 }
 
 std::size_t Cutter::cut(std::span<const std::size_t> family, std::vector<Obstacle>& part) {
@@ -217,8 +230,11 @@ std::size_t Cutter::cut(std::span<const std::size_t> family, std::vector<Obstacl
   std::size_t altered = 0;
   for (const std::size_t i : family) {
     const auto& obstacle = map_.obstacles[i];
-    const bool stays_whole =
-        obstacle.shape_type == ShapeType::kStairs || obstacle.shape_type == ShapeType::kRamp;
+    const bool is_within =
+        std::all_of(obstacle.segments.begin(), obstacle.segments.end(),
+                    [&](const Segment& s) { return box_.contains(s.a) && box_.contains(s.b); });
+    const bool stays_whole = is_within || obstacle.shape_type == ShapeType::kStairs ||
+                             obstacle.shape_type == ShapeType::kRamp;
     if (stays_whole) {
       part.push_back(obstacle);
     } else {

@@ -11,13 +11,15 @@
 
 namespace mapwright {
 
-/// Clips obstacles of one map, as `crop` promises. Borrows the map.
+/// Clips obstacles of one map, as `crop` promises. Borrows the map. The pieces of a family depend
+/// on nothing but the family, the box and the resolution, except for the ids beyond the map's
+/// greatest.
 class Cutter {
  public:
   Cutter(const Map& map, const Box& box, double resolution_m);
 
   /// Appends what is left of an outline and its holes (positions in the map), or of a single
-  /// obstacle; returns how many obstacles were altered.
+  /// obstacle; returns how many obstacles were altered. The first piece carries a CutRecord.
   std::size_t cut(std::span<const std::size_t> family, std::vector<Obstacle>& part);
 
  private:
@@ -29,6 +31,7 @@ class Cutter {
                    std::span<const std::size_t> family, std::vector<Obstacle>& part);
   void cut_solid(std::span<const std::size_t> family, std::vector<Obstacle>& part);
   void cut_chain(const Obstacle& obstacle, std::vector<Obstacle>& part);
+  void leave_record(std::span<const Obstacle* const> family, Obstacle& piece) const;
   Obstacle outline_of(const Ring& ring, const Obstacle& like,
                       std::span<const std::size_t> family) const;
   Segment edge_of(Point a, Point b, std::span<const std::size_t> family) const;

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "mapcore/parts/sewing.hpp"
+
 namespace mapwright {
 namespace {
 
@@ -42,15 +44,17 @@ class Merger {
     if (last_id_ == std::numeric_limits<std::int64_t>::max()) last_id_ = 0;
   }
 
-  Result<void> add(std::size_t number, Map& map) {
-    std::vector<std::size_t> order;
+  Result<void> add(std::size_t number, Sewn part) {
+    if (!part.torn.empty()) return torn(number, part.torn.front());
+    std::vector<std::size_t> entries, order;
     std::unordered_map<std::int64_t, std::int64_t> renumbered;
-    for (auto& obstacle : map.obstacles) {
-      const auto entry = place(number, std::move(obstacle), renumbered);
+    for (std::size_t i = 0; i < part.map.obstacles.size(); ++i) {
+      const auto entry = place(number, std::move(part.map.obstacles[i]), renumbered);
       if (!entry) return tl::unexpected(entry.error());
-      order.push_back(*entry);
+      entries.push_back(*entry);
+      if (!part.was_cut[i]) order.push_back(*entry);
     }
-    follow_renumbered(number, renumbered, order);
+    follow_renumbered(number, renumbered, entries);
     for (std::size_t i = 0; i + 1 < order.size(); ++i) {
       if (order[i] != order[i + 1]) links_.push_back({order[i], order[i + 1]});
     }
@@ -129,6 +133,15 @@ class Merger {
     return last_id_;
   }
 
+  Result<void> torn(std::size_t part, std::int64_t id) const {
+    return usage_failure(
+        names_[part].name + ": obstacle " + std::to_string(id) +
+        " is a piece of one that was cut, but it, a piece beside it or the border was changed "
+        "since: "
+        "crop that part anew, or take out the tokens 'cut' and 'part_of' to make obstacles of the "
+        "pieces");
+  }
+
   Result<std::size_t> versions(std::size_t part, std::size_t i, Obstacle obstacle) {
     Entry& entry = entries_[i];
     const std::string what = "obstacle " + std::to_string(obstacle.id) + " is not the same in " +
@@ -136,7 +149,7 @@ class Merger {
     if (preference_ == MergePreference::kNone) {
       return usage_failure(what +
                            ", though both have it at the same place: choose by --prefer first or "
-                           "--prefer last (parts that were cut do not merge)");
+                           "--prefer last");
     }
     const bool is_first = preference_ == MergePreference::kFirst;
     notes_.push_back(what + ": that of " + names_[is_first ? entry.part : part].name + " counts");
@@ -192,7 +205,8 @@ Result<Merged> merge(std::vector<MergePart> parts, MergePreference preference) {
   merged.map.border = border_around(parts);
   Merger merger(parts, preference);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (auto added = merger.add(i, parts[i].map); !added) return tl::unexpected(added.error());
+    if (auto added = merger.add(i, sewn(std::move(parts[i].map))); !added)
+      return tl::unexpected(added.error());
   }
   merged.map.obstacles = merger.in_order();
   merged.notes = merger.take_notes();

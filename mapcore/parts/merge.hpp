@@ -29,9 +29,13 @@ struct Merged {
 /// (kUsage), naming both. Two with the same id and no place in common are strangers: the later
 /// part's gets the next free id, and `inner_of` of its holes follows.
 ///
+/// Pieces of obstacles that `crop` cut become the whole obstacle again. Pieces that were changed
+/// since, or whose part has another border than it was cut at, are no pieces of it any more: that
+/// fails (kUsage) and names them.
+///
 /// Order: as in the parts, obstacles that no part orders by their ids. So the parts of a map whose
-/// ids ascend, as those that `convert` makes, give that map again: whole obstacles, together
-/// covering it.
+/// ids ascend, as those that `convert` makes, give that map again: whole obstacles or cut ones,
+/// together covering it.
 Result<Merged> merge(std::vector<MergePart> parts,
                      MergePreference preference = MergePreference::kNone);
 

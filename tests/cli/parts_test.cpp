@@ -6,6 +6,7 @@
 
 #include "mapcore/georeference.hpp"
 #include "mapcore/text/reader.hpp"
+#include "mapcore/text/writer.hpp"
 #include "tests/cli/program_run.hpp"
 #include "tests/support/data.hpp"
 
@@ -53,6 +54,29 @@ TEST_F(Parts, OfTheCampusMergeToTheCampus) {
   for (const auto& source : merged->sources) {
     EXPECT_TRUE(std::filesystem::exists(folder_.path(source.path))) << source.path;
   }
+}
+
+TEST_F(Parts, CutOnesMergeToTheCampusToo) {
+  std::vector<std::string> arguments{"merge", "-o", folder_.path("all.txt")};
+  for (const std::string tile : {"0,0,37.5,45", "37.5,0,112,45", "0,45,60,90", "50,45,112,90"}) {
+    arguments.push_back(
+        crop("part" + std::to_string(arguments.size()) + ".txt", {"--bbox", tile, "--cut"}));
+    EXPECT_NE(content(arguments.back()).find("cut="), std::string::npos) << tile;
+  }
+  const auto result = run(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(content(folder_.path("all.txt")), content(campus_));
+  // A piece that somebody has raised is no piece of it any more.
+  Map edited = read_map(content(arguments.back())).map;
+  const auto piece =
+      std::find_if(edited.obstacles.begin(), edited.obstacles.end(),
+                   [](const Obstacle& o) { return o.semantic.value("cut").has_value(); });
+  ASSERT_NE(piece, edited.obstacles.end());
+  piece->segments.front().height_m += 1.0;
+  std::ofstream(arguments.back(), std::ios::binary) << format_map(edited);
+  const auto refused = run(arguments);
+  EXPECT_EQ(refused.status, 2) << refused.err;
+  EXPECT_NE(refused.err.find("crop that part anew"), std::string::npos) << refused.err;
 }
 
 TEST_F(Parts, CutOnesAreValidButForStairsAndRampsAcrossTheEdge) {

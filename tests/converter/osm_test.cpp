@@ -1,6 +1,8 @@
 // OpenStreetMap files as layers of features.
+#include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 
 #include "converter/osm/osm_reader.hpp"
@@ -172,6 +174,39 @@ TEST_F(Osm, RefusesDamagedFiles) {
             std::string::npos);
   EXPECT_NE(message("a.osm.pbf", "nonsense").find("damaged"), std::string::npos);
   EXPECT_NE(message("a.osc", "<osmChange/>").find("changes"), std::string::npos);
+}
+
+// What a file says, and the same in a zip file and in a tar file.
+TEST_F(Osm, InArchivesIsTheSame) {
+  const std::string content = "<osm version='0.6'>" + square(1, 10, 0.001) +
+                              way(7, {1, 2, 3, 4, 1}, tag("building", "yes")) + "</osm>";
+  const auto converted = [&](const std::string& source) {
+    const std::string map = folder_.path("m.txt");
+    const auto result = test::run({"convert", source, "-o", map});
+    EXPECT_EQ(result.status, 0) << result.err;
+    std::ifstream in(map);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto plain = converted(folder_.file("site.osm", content));
+  const std::string zip = folder_.path("site.zip");
+  auto* out = VSIFOpenL(("/vsizip/" + zip + "/data/site.osm").c_str(), "wb");
+  ASSERT_NE(out, nullptr);
+  VSIFWriteL(content.data(), 1, content.size(), out);
+  VSIFCloseL(out);
+  EXPECT_NE(plain.find("obstacle"), std::string::npos);
+  EXPECT_EQ(converted(zip), plain);
+}
+
+TEST_F(Osm, LevelsOnTopOfEachOtherAreWarnedOf) {
+  const auto area = [&](int id, int first, const std::string& level) {
+    return way(id, {first, first + 1, first + 2, first + 3, first},
+               tag("osmAG:type", "area") + tag("level", level));
+  };
+  const std::string one = square(1, 10, 0.001) + area(7, 1, "1");
+  EXPECT_TRUE((*open(one))->take_warnings().empty());
+  const auto warnings = (*open(one + square(11, 10, 0.001) + area(8, 11, "2")))->take_warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("--layer 'osmAG level 1'"), std::string::npos);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "mapcore/defect_geometry.hpp"
+#include "mapcore/parts/piece_keys.hpp"
 #include "validators/check.hpp"
 #include "validators/wording.hpp"
 
@@ -36,9 +37,11 @@ void check_duplicate_name(const CheckContext& context, FindingSink& sink) {
   const auto& obstacles = context.map().obstacles;
   std::unordered_map<NameOnLevel, std::size_t, NameHash> first_of;
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    const auto name = obstacles[i].semantic.value(semantic_key::kName);
-    if (!name || name->empty() || obstacles[i].semantic.value(semantic_key::kInnerOf)) continue;
-    const auto level = obstacles[i].semantic.value(semantic_key::kLevel).value_or("");
+    const auto& semantic = obstacles[i].semantic;
+    const auto name = semantic.value(semantic_key::kName);
+    if (!name || name->empty() || semantic.value(semantic_key::kInnerOf)) continue;
+    if (semantic.value(piece_key::kPartOf)) continue;
+    const auto level = semantic.value(semantic_key::kLevel).value_or("");
     const auto [entry, is_new] = first_of.emplace(NameOnLevel{*name, level}, i);
     if (is_new || is_part_of(obstacles[i], obstacles[i - 1])) continue;
     const Obstacle& first = obstacles[entry->second];

@@ -102,6 +102,25 @@ TEST(Crop, PiecesBeyondTheFirstSayWhatTheyArePartOf) {
   EXPECT_EQ(part.map.obstacles[1].semantic.value("part_of"), "3");
 }
 
+TEST(Crop, PartsOfPartsAreParts) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed);
+    test::RandomSiteOptions options;
+    options.sound = true;
+    const Map map = test::random_site(random, options);
+    const auto edge = [&](double from, double to) { return std::round(random.uniform(from, to)); };
+    const Box outer{edge(-190, -60), edge(-190, -60), edge(60, 190), edge(60, 190)};
+    const Box inner{edge(-250, -20), edge(-50, -20), edge(20, 50), edge(20, 250)};
+    const Box both{std::max(outer.min_x, inner.min_x), inner.min_y, inner.max_x,
+                   std::min(outer.max_y, inner.max_y)};
+    const Map part = read_map(format_map(cropped(map, outer, true).map)).map;
+    EXPECT_EQ(format_map(cropped(part, inner, true).map), format_map(cropped(map, both, true).map))
+        << seed;
+    EXPECT_EQ(format_map(cropped(part, inner).map), format_map(cropped(map, both).map)) << seed;
+    EXPECT_EQ(format_map(cropped(part, outer, true).map), format_map(part)) << seed;
+  }
+}
+
 double solid_area_m2(const Map& map) {
   double area = 0.0;
   for (const auto& o : map.obstacles) {

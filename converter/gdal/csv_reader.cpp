@@ -1,0 +1,118 @@
+#include "converter/gdal/csv_reader.hpp"
+
+#include <cpl_string.h>
+#include <ogr_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include "converter/gdal/geometry_paths.hpp"
+#include "converter/gdal/messages.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+constexpr std::array<const char*, 5> kNames{"WKT", "geom", "geometry", "the_geom", "wkt_geom"};
+constexpr std::size_t kQuoted = 40;
+
+bool is_shape_column(const std::string& field) {
+  const bool numbered = STARTS_WITH_CI(field.c_str(), "_WKT");
+  return numbered || std::any_of(kNames.begin(), kNames.end(),
+                                 [&](const char* name) { return EQUAL(name, field.c_str()); });
+}
+
+// "geometry" may be the name of a column that says what the shape is like.
+bool looks_like_a_shape(const std::string& text) {
+  static constexpr std::array<const char*, 15> kStarts{
+      "POINT", "LINESTRING",    "POLYGON",           "MULTI",     "GEOMETRYCOLLECTION",
+      "CURVE", "COMPOUNDCURVE", "CIRCULARSTRING",    "SURFACE",   "TRIANGLE",
+      "TIN",   "SRID=",         "POLYHEDRALSURFACE", "{\"type\"", "010"};
+  return std::any_of(kStarts.begin(), kStarts.end(),
+                     [&](const char* start) { return EQUALN(text.c_str(), start, strlen(start)); });
+}
+
+class CsvReader : public SourceReader {
+ public:
+  CsvReader(std::string title, std::unique_ptr<SourceReader> table)
+      : title_(std::move(title)), table_(std::move(table)), warnings_(table_->take_warnings()) {
+    for (const auto& layer : table_->layers()) {
+      auto& columns = columns_.emplace_back();
+      for (std::size_t i = 0; i < layer.fields.size(); ++i) {
+        if (is_shape_column(layer.fields[i])) columns.push_back(i);
+      }
+      if (!columns.empty()) continue;
+      warnings_.push_back(title_ +
+                          ": no column of it holds shapes: name the one with well-known text WKT "
+                          "(geom, geometry, the_geom and wkt_geom are known too)");
+    }
+  }
+
+  const std::string& driver() const override { return table_->driver(); }
+  const std::vector<LayerInfo>& layers() const override { return table_->layers(); }
+  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
+  Result<std::optional<Box>> extent(std::size_t layer) override { return table_->extent(layer); }
+
+  Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
+                           const FeatureVisitor& visit) override {
+    ReadOptions with_shapes = options;
+    for (const std::size_t column : columns_[layer]) {
+      if (!options.fields.empty()) with_shapes.fields.push_back(layers()[layer].fields[column]);
+    }
+    const auto count = table_->read(layer, with_shapes, [&](SourceFeature& feature) {
+      if (feature.geometry.type.empty()) look_again(layer, options.sagitta_m, feature);
+      visit(feature);
+    });
+    for (auto& warning : table_->take_warnings()) warnings_.push_back(std::move(warning));
+    return count;
+  }
+
+ private:
+  // A text that GDAL made nothing of.
+  void look_again(std::size_t layer, double sagitta_m, SourceFeature& feature) const {
+    for (const std::size_t column : columns_[layer]) {
+      const auto* text = std::get_if<std::string>(&feature.values[column]);
+      if (text == nullptr || text->empty()) continue;
+      const auto& name = layers()[layer].fields[column];
+      if (!STARTS_WITH_CI(name.c_str(), "WKT") && !looks_like_a_shape(*text)) continue;
+      if (read_extended(*text, sagitta_m, feature)) return;
+      feature.broken = "its " + name + " cannot be read: '" + text->substr(0, kQuoted) +
+                       (text->size() > kQuoted ? " …'" : "'");
+      return;
+    }
+  }
+
+  // "SRID=25831;POLYGON(…" of PostGIS.
+  static bool read_extended(const std::string& text, double sagitta_m, SourceFeature& feature) {
+    const auto end = text.find(';');
+    if (!STARTS_WITH_CI(text.c_str(), "SRID=") || end == text.npos) return false;
+    const GdalMessages quiet;
+    OGRGeometry* geometry = nullptr;
+    const auto error =
+        OGRGeometryFactory::createFromWkt(text.c_str() + end + 1, nullptr, &geometry);
+    const std::unique_ptr<OGRGeometry> owner(geometry);
+    if (error != OGRERR_NONE || geometry == nullptr) return false;
+    append_paths(geometry, sagitta_m, feature.geometry);
+    return true;
+  }
+
+  std::string title_;
+  std::unique_ptr<SourceReader> table_;
+  std::vector<std::vector<std::size_t>> columns_;  // by layer: those of shapes
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+bool is_csv(const std::string& path) {
+  return EQUAL(std::filesystem::path(path).extension().c_str(), ".csv");
+}
+
+OpenedReader open_csv(const GdalInput& input, const DriverNotice& notice) {
+  auto table = open_gdal(input, notice);
+  if (!table || (*table)->driver() != "CSV") return table;
+  return std::make_unique<CsvReader>(input.title, *std::move(table));
+}
+
+}  // namespace mapwright::converter
