@@ -112,7 +112,7 @@ Line::~Line() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-bool Line::send(std::uint8_t kind, const std::vector<char>& bytes) const {
+bool Line::send(std::uint8_t kind, std::span<const char> bytes) const {
   const std::uint64_t head = (static_cast<std::uint64_t>(bytes.size()) << 8U) | kind;
   return write_all(socket_, reinterpret_cast<const char*>(&head), sizeof head) &&
          write_all(socket_, bytes.data(), bytes.size());
@@ -162,7 +162,7 @@ ChildProcess::~ChildProcess() {
   ::waitpid(id_, nullptr, 0);
 }
 
-bool ChildProcess::send(std::uint8_t kind, const std::vector<char>& bytes) const {
+bool ChildProcess::send(std::uint8_t kind, std::span<const char> bytes) const {
   return line_.send(kind, bytes);
 }
 
