@@ -96,6 +96,23 @@ Result<void> open_source(const std::string& path, const ConvertOptions& options,
   return more;
 }
 
+// A built-in set, read when the first layer goes by it.
+Result<const RuleSet*> builtin(const char* name, RuleSet& set) {
+  if (!set.rules.empty()) return &set;
+  auto read = read_rules(std::string(builtin_rules(name)), name);
+  if (!read) return tl::unexpected(read.error());
+  set = *std::move(read);
+  return &set;
+}
+
+// Rules that fit a layer better than those for everything; null where there are none.
+Result<const RuleSet*> rules_for(const VectorSource& source, bool is_export,
+                                 OpenedSources& opened) {
+  if (is_export) return builtin("mapwright", opened.mapwright_rules);
+  if (source.driver() == "OSM") return builtin("osm", opened.osm_rules);
+  return nullptr;
+}
+
 Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame>& frame,
                          const ConvertOptions& options, const UserCrs& said,
                          OpenedSources& opened) {
@@ -103,10 +120,11 @@ Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame
     const auto& layer = source.layers()[i];
     if (!is_asked_for(layer, options.layers)) continue;
     LayerJob job{&source, i, layer.crs, place_of(source), &options.rules};
-    if (options.rules_are_guessed && source.driver() == "OSM") job.rules = &opened.osm_rules;
     if (is_exported(layer)) job.place = place_of_export(source, layer);
-    if (options.rules_are_guessed && (frame || is_exported(layer))) {
-      job.rules = &opened.mapwright_rules;
+    if (options.rules_are_guessed) {
+      auto better = rules_for(source, frame || is_exported(layer), opened);
+      if (!better) return tl::unexpected(better.error());
+      if (*better != nullptr) job.rules = *better;
     }
     if (frame) {
       if (auto taken = take_recorded(*frame, options, opened, job); !taken) return taken;
@@ -165,12 +183,6 @@ double tidy(double degrees) {
 
 Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& options) {
   auto opened = std::make_unique<OpenedSources>();
-  auto osm = read_rules(std::string(builtin_rules("osm")), "osm");
-  if (!osm) return tl::unexpected(osm.error());
-  opened->osm_rules = *std::move(osm);
-  auto ours = read_rules(std::string(builtin_rules("mapwright")), "mapwright");
-  if (!ours) return tl::unexpected(ours.error());
-  opened->mapwright_rules = *std::move(ours);
   const auto said = user_crs(options);
   if (!said) return tl::unexpected(said.error());
   for (const auto& path : options.sources) {
@@ -197,7 +209,7 @@ Result<GeoPoint> center_of(const OpenedSources& sources, bool swap_axes) {
     if (!extent) return tl::unexpected(extent.error());
     const auto& box = *extent;
     if (!box || !job.crs.is_stated()) continue;
-    const auto transform = CrsTransform::create(job.crs);
+    const auto transform = CrsTransform::create(job.crs, CrsTransform::Ways::kToWgs84);
     if (!transform) return tl::unexpected(transform.error());
     std::vector<double> xs, ys;
     append_outline(*box, xs, ys);
