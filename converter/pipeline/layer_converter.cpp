@@ -12,15 +12,20 @@
 namespace mapwright::converter {
 namespace {
 
-// Without a way out in the middle, so that several are looked at at a time.
-bool are_finite(const std::vector<double>& values) {
-  bool finite = true;
-  for (const double value : values) finite = finite & (std::abs(value) <= DBL_MAX);
-  return finite;
+// Without a way out in the middle, so that several are looked at at a time; not-a-number is nowhere
+// within.
+bool are_within(const std::vector<double>& values, double reach) {
+  bool within = true;
+  for (const double value : values) within = within & (std::abs(value) <= reach);
+  return within;
+}
+
+bool all_within(const SourceGeometry& geometry, double reach) {
+  return are_within(geometry.xs, reach) && are_within(geometry.ys, reach);
 }
 
 bool all_finite(const SourceGeometry& geometry) {
-  return are_finite(geometry.xs) && are_finite(geometry.ys);
+  return all_within(geometry, DBL_MAX);
 }
 
 // A layer's name as a label.
@@ -220,6 +225,7 @@ bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
     grid_north_ = transform_.grid_north(geometry.xs.front(), geometry.ys.front());
   }
   place(geometry);
+  if (all_within(geometry, tolerance::kAbsurdCoordinate_m)) return true;
   if (!all_finite(geometry)) {
     ledger.drop(account, FindingCode::C205,
                 "a coordinate is beyond what " + job_.crs.title() + " covers");
@@ -228,7 +234,6 @@ bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   const Box box = extent_of(geometry);
   const double reach = std::max(
       {std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y)});
-  if (reach <= tolerance::kAbsurdCoordinate_m) return true;
   ledger.drop(
       account, FindingCode::C220,
       with_metres("it lies %.0f km from the map's origin; are --origin, the CRS and the order of "

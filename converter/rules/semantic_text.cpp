@@ -80,6 +80,21 @@ SemanticText::SemanticText(const SemanticTemplate& semantic,
       part.replace(layer, 7, layer_name);
     tokens_.push_back(token_of(part, layer_fields));
   }
+  take_out_constants();
+}
+
+void SemanticText::take_out_constants() {
+  const auto varies = [](const Token& token) {
+    return !token.is_empty && std::any_of(token.pieces.begin(), token.pieces.end(),
+                                          [](const Piece& piece) { return piece.has_field; });
+  };
+  const auto first = std::find_if(tokens_.begin(), tokens_.end(), varies);
+  const auto count = static_cast<std::size_t>(first - tokens_.begin());
+  SemanticScratch scratch;
+  bool altered = false;
+  expand_tokens(0, count, {}, altered, scratch, constant_text_);
+  constants_ = count;
+  constant_ends_ = scratch.ends;
 }
 
 SemanticText::Token SemanticText::token_of(const std::string& part,
@@ -122,9 +137,16 @@ bool SemanticText::fill(const Token& token, const SourceFeature& feature, bool& 
 
 void SemanticText::expand(const SourceFeature& feature, bool& altered, SemanticScratch& scratch,
                           std::string& text) const {
-  text.clear();
-  scratch.ends.clear();
-  for (const auto& token : tokens_) {
+  text = constant_text_;
+  scratch.ends = constant_ends_;
+  expand_tokens(constants_, tokens_.size(), feature, altered, scratch, text);
+}
+
+// Appends the texts of tokens.
+void SemanticText::expand_tokens(std::size_t first, std::size_t end, const SourceFeature& feature,
+                                 bool& altered, SemanticScratch& scratch, std::string& text) const {
+  for (std::size_t i = first; i < end; ++i) {
+    const Token& token = tokens_[i];
     if (token.is_empty || !fill(token, feature, altered, scratch)) continue;
     if (token.is_key_value)
       append_token(scratch.token, scratch.ends, text);

@@ -45,11 +45,17 @@ class SemanticText {
     bool is_empty = false;  // always: it begins with a field that the layer lacks
   };
 
+  void take_out_constants();
   static Token token_of(const std::string& part, const std::vector<std::string>& layer_fields);
+  void expand_tokens(std::size_t first, std::size_t end, const SourceFeature& feature,
+                     bool& altered, SemanticScratch& scratch, std::string& text) const;
   static bool fill(const Token& token, const SourceFeature& feature, bool& altered,
                    SemanticScratch& scratch);
 
   std::vector<Token> tokens_;
+  std::size_t constants_ = 0;  // tokens at the beginning that are the same for all features
+  std::string constant_text_;  // their text
+  std::vector<std::uint32_t> constant_ends_;
 };
 
 }  // namespace mapwright::converter

@@ -54,23 +54,29 @@ bool boxes_meet(Point a, Point b, Point c, Point d) {
          std::max(a.y, b.y) >= std::min(c.y, d.y) && std::max(c.y, d.y) >= std::min(a.y, b.y);
 }
 
-// Whether both points lie for certain on one side of the line ab, none on it.
-bool are_apart(Point a, Point b, Point p, Point q) {
-  const int side = sure_turn(a, b, p);
-  return side != 0 && side == sure_turn(a, b, q);
-}
-
+// Two edges that do not share a vertex, after doubles could not tell.
 bool edges_meet(std::span<const Point> ring, std::size_t i, std::size_t j) {
   const Point a = ring[i], b = next_vertex(ring, i);
   const Point c = ring[j], d = next_vertex(ring, j);
-  if (are_apart(a, b, c, d) || are_apart(c, d, a, b)) return false;
   return boxes_meet(a, b, c, d) && meet(a, b, c, d).kind != Meeting::kNone;
+}
+
+// Whether two vertices that follow each other lie for certain on one side of an edge, none on it.
+bool are_apart(int side_of_first, int side_of_second) {
+  return side_of_first != 0 && side_of_first == side_of_second;
 }
 
 bool some_distant_edges_meet(std::span<const Point> ring) {
   for (std::size_t i = 0; i + 2 < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[i + 1];
     const std::size_t last = i == 0 ? ring.size() - 1 : ring.size();
+    int side = sure_turn(a, b, ring[i + 2]);
     for (std::size_t j = i + 2; j < last; ++j) {
+      const Point c = ring[j], d = next_vertex(ring, j);
+      const int before = side;
+      side = sure_turn(a, b, d);
+      if (are_apart(before, side)) continue;
+      if (are_apart(sure_turn(c, d, a), sure_turn(c, d, b))) continue;
       if (edges_meet(ring, i, j)) return true;
     }
   }
