@@ -2,21 +2,22 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
 #include "mapcore/georeference.hpp"
 #include "mapcore/text/reader.hpp"
-#include "mapcore/text/writer.hpp"
 #include "validators/validator.hpp"
 
 namespace mapwright::cli {
 namespace {
 
-void write_text(const TemporaryFile& file, const std::string& name, const std::string& text) {
+void write_stream(const TemporaryFile& file, const std::string& name,
+                  const std::function<void(std::ostream&)>& write) {
   std::ofstream out(file.path(), std::ios::binary);
-  out << text;
+  write(out);
   out.close();
   if (!out) throw Error(ExitStatus::kOutput, name + ": cannot be written to its end");
 }
@@ -32,29 +33,38 @@ ConvertedFiles::ConvertedFiles(const std::string& output, const std::string& rep
   if (!report.empty()) report_ = std::make_unique<TemporaryFile>(report);
 }
 
-std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Console& console,
-                                               bool is_last) {
+std::vector<Finding> ConvertedFiles::write_map(converter::ConvertedMap map, double resolution_m,
+                                               Console& console, bool is_last) {
   if (!map_) {
-    std::string text = format_map(map, {resolution_m});
+    std::ostringstream out;
+    map.write(out, {resolution_m});
+    map = {};  // before the text of it is read
+    std::string text = std::move(out).str();
     console.out() << text;
     return validators::validate(read_map(std::move(text)));
   }
-  std::ofstream out(map_->path(), std::ios::binary);
-  mapwright::write_map(map, out, {resolution_m});
-  out.close();
-  if (!out) throw Error(ExitStatus::kOutput, output_ + ": cannot be written to its end");
-  map = {};  // before another one like it is read
+  write_stream(*map_, output_, [&](std::ostream& out) {
+    map.write(out, {resolution_m}, console.progress("writing"));
+  });
+  map = {};
   auto document = std::make_unique<MapDocument>(read_map_file(map_->path()));
   auto findings = validators::validate(*document);
   if (is_last) keep_to_the_end(std::move(document));
   return findings;
 }
 
+std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Console& console) {
+  return write_map(converter::ConvertedMap(std::move(map)), resolution_m, console);
+}
+
 // A sidecar of an earlier map under this name would put the new one where it does not lie.
 void ConvertedFiles::write_sidecar(const std::optional<Georeference>& georeference) {
   if (!sidecar_) return;
   const std::string path = sidecar_path(output_);
-  if (georeference) return write_text(*sidecar_, path, format_georeference(*georeference));
+  if (georeference) {
+    return write_stream(*sidecar_, path,
+                        [&](std::ostream& out) { out << format_georeference(*georeference); });
+  }
   sidecar_.reset();
   if (std::filesystem::exists(path)) {
     throw Error(ExitStatus::kOutput, path +
@@ -64,7 +74,9 @@ void ConvertedFiles::write_sidecar(const std::optional<Georeference>& georeferen
 }
 
 void ConvertedFiles::write_report(const converter::Ledger& ledger) {
-  if (report_) write_text(*report_, "report", converter::format_ledger(ledger));
+  if (!report_) return;
+  write_stream(*report_, "report",
+               [&](std::ostream& out) { converter::write_ledger(ledger, out); });
 }
 
 void ConvertedFiles::commit_map() {

@@ -21,8 +21,9 @@ class ConvertedFiles {
 
   /// Writes the map, reads the file back and returns what validation finds in it. `is_last`: the
   /// process ends soon.
-  std::vector<Finding> write_map(Map map, double resolution_m, Console& console,
-                                 bool is_last = true);
+  std::vector<Finding> write_map(converter::ConvertedMap map, double resolution_m,
+                                 Console& console, bool is_last = true);
+  std::vector<Finding> write_map(Map map, double resolution_m, Console& console);
   void write_sidecar(const std::optional<Georeference>& georeference);
   void write_report(const converter::Ledger& ledger);
 

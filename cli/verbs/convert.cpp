@@ -94,7 +94,7 @@ class Convert : public Verb {
       console.error("no map is written: --strict allows no repair");
       return ExitStatus::kNegative;
     }
-    if (conversion.map.obstacles.empty()) {
+    if (conversion.map.is_empty()) {
       console.error(
           "no map is written: nothing in the sources becomes an obstacle; "
           "--explain-rules says what the rules make of them");
@@ -105,12 +105,12 @@ class Convert : public Verb {
 
   ExitStatus write(converter::Conversion conversion, ConvertedFiles& files,
                    Console& console) const {
-    const std::string size = std::to_string(conversion.map.obstacles.size()) + " obstacles, " +
-                             std::to_string(segment_count(conversion.map)) + " segments";
+    const std::string size = std::to_string(conversion.map.obstacle_count()) + " obstacles, " +
+                             std::to_string(conversion.map.segment_count()) + " segments";
     auto findings = files.write_map(std::move(conversion.map), conversion.resolution_m, console,
                                     !arguments_.watches());
     if (!findings.empty()) {
-      converter::ObstacleSources(conversion.ledger).name_features(findings);
+      converter::ObstacleSources(conversion.ledger, findings).name_features(findings);
     }
     files.write_sidecar(conversion.georeference);
     files.commit_map();

@@ -44,9 +44,9 @@ bool looks_like_degrees(const Crs& crs, const Box& extent) {
 }
 
 // Distances between steps that follow each other, where they are parallel enough to have one.
-std::vector<double> treads_of(const Map& map) {
+std::vector<double> treads_of(const std::vector<Obstacle>& obstacles) {
   std::vector<double> treads;
-  for (const auto& obstacle : map.obstacles) {
+  for (const auto& obstacle : obstacles) {
     if (obstacle.shape_type != ShapeType::kStairs) continue;
     for (std::size_t k = 1; k < obstacle.segments.size(); ++k) {
       const Segment& lower = obstacle.segments[k - 1];
@@ -86,7 +86,7 @@ std::optional<std::string> doubt_about_place(const Crs& crs, const Box& extent) 
            " look like degrees: if they are, --override-crs EPSG:4326";
   }
   const auto area = area_of_use(crs);
-  const auto transform = CrsTransform::create(crs);
+  const auto transform = CrsTransform::create(crs, CrsTransform::Ways::kToWgs84);
   if (!area || !transform) return std::nullopt;
   const Point middle = middle_of(extent);
   std::array<double, 1> x{middle.x}, y{middle.y};
@@ -101,8 +101,8 @@ std::optional<std::string> doubt_about_place(const Crs& crs, const Box& extent) 
          ": is the CRS right, and the order of the axes? (--override-crs, --swap-axes)";
 }
 
-std::optional<std::string> doubt_about_scale(const Map& map, std::optional<double> latitude_deg) {
-  const Box box = extent(map);
+std::optional<std::string> doubt_about_scale(const Box& box, const std::vector<Obstacle>& obstacles,
+                                             std::optional<double> latitude_deg) {
   if (box.is_empty()) return std::nullopt;
   if (std::max(box.width(), box.height()) < kLeastMap_m) {
     return with_numbers(
@@ -110,7 +110,7 @@ std::optional<std::string> doubt_about_scale(const Map& map, std::optional<doubl
         "or of another unit?",
         box.width(), box.height());
   }
-  auto treads = treads_of(map);
+  auto treads = treads_of(obstacles);
   if (treads.empty()) return std::nullopt;
   std::nth_element(treads.begin(), treads.begin() + static_cast<std::ptrdiff_t>(treads.size() / 2),
                    treads.end());

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "converter/gdal/crs.hpp"
 #include "mapcore/map.hpp"
@@ -14,8 +15,11 @@ namespace mapwright::converter {
 std::optional<std::string> doubt_about_place(const Crs& crs, const Box& extent);
 
 /// A map whose steps are too deep or too shallow for people, or that is smaller than a door: its
-/// unit is another one, or its metres are those of a map projection. `latitude_deg`: of the map;
-/// nothing for plain local metres.
-std::optional<std::string> doubt_about_scale(const Map& map, std::optional<double> latitude_deg);
+/// unit is another one, or its metres are those of a map projection. `extent`: of the map;
+/// `obstacles`: those that may be stairs; `latitude_deg`: of the map, nothing for plain local
+/// metres.
+std::optional<std::string> doubt_about_scale(const Box& extent,
+                                             const std::vector<Obstacle>& obstacles,
+                                             std::optional<double> latitude_deg);
 
 }  // namespace mapwright::converter

@@ -1,5 +1,6 @@
 #include "converter/frame/transform_patches.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -77,26 +78,68 @@ struct TransformPatches::Patch {
   std::array<Coefficient, kCoefficients> coefficients;
   double left_out = 0.0;
 
-  Point operator()(double x, double y) const {
-    const Polynomials across = chebyshev((x - center.x) * inverse_half);
-    const Polynomials up = chebyshev((y - center.y) * inverse_half);
-    Point p{0.0, 0.0};
+  // In place. Several points at a time, each by the same operations in the same order: one alone
+  // waits for the end of every addition.
+  void apply(double* xs, double* ys, std::size_t count) const {
+    while (count > 0) {
+      const std::size_t now = std::min(count, kAtOnce);
+      apply_some(xs, ys, now);
+      xs += now;
+      ys += now;
+      count -= now;
+    }
+  }
+
+  void apply_some(double* xs, double* ys, std::size_t count) const {
+    std::array<double, kAtOnce> x{}, y{}, px{}, py{};
+    std::copy(xs, xs + count, x.begin());
+    std::copy(ys, ys + count, y.begin());
+    LanePolynomials across, up;
+    chebyshev(x, center.x, across);
+    chebyshev(y, center.y, up);
     std::size_t next = 0;
     for (std::size_t m = 0; m < kNodes; ++m) {
-      Point row{0.0, 0.0};
+      std::array<double, kAtOnce> row_x{}, row_y{};
       for (std::size_t n = 0; m + n < kNodes; ++n, ++next) {
-        row.x += coefficients[next].x * up[n];
-        row.y += coefficients[next].y * up[n];
+        const Coefficient c = coefficients[next];
+        for (std::size_t i = 0; i < kAtOnce; ++i) row_x[i] += c.x * up[n][i];
+        for (std::size_t i = 0; i < kAtOnce; ++i) row_y[i] += c.y * up[n][i];
       }
-      p.x += row.x * across[m];
-      p.y += row.y * across[m];
+      for (std::size_t i = 0; i < kAtOnce; ++i) px[i] += row_x[i] * across[m][i];
+      for (std::size_t i = 0; i < kAtOnce; ++i) py[i] += row_y[i] * across[m][i];
     }
-    return p;
+    std::copy(px.begin(), px.begin() + static_cast<std::ptrdiff_t>(count), xs);
+    std::copy(py.begin(), py.begin() + static_cast<std::ptrdiff_t>(count), ys);
+  }
+
+  static constexpr std::size_t kAtOnce = 4;
+  using LanePolynomials = std::array<std::array<double, kAtOnce>, kNodes>;
+
+  void chebyshev(const std::array<double, kAtOnce>& at, double middle, LanePolynomials& t) const {
+    for (std::size_t i = 0; i < kAtOnce; ++i) {
+      const double t1 = (at[i] - middle) * inverse_half;
+      const double t2 = 2.0 * t1 * t1 - 1.0;
+      const double t3 = 2.0 * t1 * t2 - t1;
+      t[0][i] = 1.0;
+      t[1][i] = t1;
+      t[2][i] = t2;
+      t[3][i] = t3;
+      t[4][i] = 2.0 * t1 * t3 - t2;
+    }
   }
 };
 
+namespace {
+
+bool is_power_of_two(double value) {
+  int exponent = 0;
+  return std::frexp(value, &exponent) == 0.5;
+}
+
+}  // namespace
+
 TransformPatches::TransformPatches(PlaneTransform exact, double cell)
-    : exact_(std::move(exact)), cell_(cell) {}
+    : exact_(std::move(exact)), cell_(cell), has_exact_edges_(is_power_of_two(cell)) {}
 TransformPatches::TransformPatches(TransformPatches&&) noexcept = default;
 TransformPatches& TransformPatches::operator=(TransformPatches&&) noexcept = default;
 TransformPatches::~TransformPatches() = default;
@@ -112,8 +155,25 @@ TransformPatches::CellKey TransformPatches::cell_of(double x, double y) const {
           static_cast<std::int32_t>(std::floor(y / cell_))};
 }
 
+// Points from `i` on that lie in the cell of the last one. Where cells are a power of two wide,
+// their edges are numbers, and comparing says what dividing would.
+std::size_t TransformPatches::count_in_last_cell(std::span<const double> xs,
+                                                 std::span<const double> ys, std::size_t i) const {
+  if (last_ == nullptr || !has_exact_edges_) return 0;
+  const double left = last_key_.column * cell_, right = left + cell_;
+  const double bottom = last_key_.row * cell_, top = bottom + cell_;
+  const std::size_t first = i;
+  while (i < xs.size() && xs[i] >= left && xs[i] < right && ys[i] >= bottom && ys[i] < top) ++i;
+  return i - first;
+}
+
 void TransformPatches::apply(std::span<double> xs, std::span<double> ys) {
   for (std::size_t i = 0; i < xs.size(); ++i) {
+    if (const std::size_t count = count_in_last_cell(xs, ys, i); count > 0) {
+      last_->apply(&xs[i], &ys[i], count);
+      i += count - 1;
+      continue;
+    }
     const bool has_cell =
         std::abs(xs[i] / cell_) < kFarthestCell && std::abs(ys[i] / cell_) < kFarthestCell;
     const Patch* patch = has_cell ? patch_of(cell_of(xs[i], ys[i])) : nullptr;
@@ -121,9 +181,7 @@ void TransformPatches::apply(std::span<double> xs, std::span<double> ys) {
       exact_(xs.subspan(i, 1), ys.subspan(i, 1));
       continue;
     }
-    const Point p = (*patch)(xs[i], ys[i]);
-    xs[i] = p.x;
-    ys[i] = p.y;
+    patch->apply(&xs[i], &ys[i], 1);
   }
 }
 
@@ -165,7 +223,8 @@ bool TransformPatches::holds(const Patch& patch) const {
   for (std::size_t i = 0; i < mine.size(); ++i) {
     xs[i] = patch.center.x + half * probe(i / kProbes);
     ys[i] = patch.center.y + half * probe(i % kProbes);
-    mine[i] = patch(xs[i], ys[i]);
+    mine[i] = {xs[i], ys[i]};
+    patch.apply(&mine[i].x, &mine[i].y, 1);
   }
   exact_(xs, ys);
   for (std::size_t i = 0; i < mine.size(); ++i) {

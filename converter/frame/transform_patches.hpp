@@ -54,11 +54,14 @@ class TransformPatches {
 
   CellKey cell_of(double x, double y) const;
   const Patch* patch_of(const CellKey& key);
+  std::size_t count_in_last_cell(std::span<const double> xs, std::span<const double> ys,
+                                 std::size_t i) const;
   std::unique_ptr<Patch> fit(const CellKey& key);
   bool holds(const Patch& patch) const;
 
   PlaneTransform exact_;
   double cell_;
+  bool has_exact_edges_;  // a cell's are multiples of `cell_` without rounding
   std::unordered_map<CellKey, std::unique_ptr<Patch>, CellHash> cells_;
   CellKey last_key_;
   const Patch* last_ = nullptr;

@@ -123,7 +123,7 @@ CrsTransform::CrsTransform(CrsTransform&&) noexcept = default;
 CrsTransform& CrsTransform::operator=(CrsTransform&&) noexcept = default;
 CrsTransform::~CrsTransform() = default;
 
-Result<CrsTransform> CrsTransform::create(const Crs& crs) {
+Result<CrsTransform> CrsTransform::create(const Crs& crs, Ways ways) {
   const GdalMessages messages;
   auto impl = std::make_unique<Impl>();
   if (crs.code == "EPSG:4326" || crs.code == "OGC:CRS84") return CrsTransform(std::move(impl));
@@ -132,8 +132,9 @@ Result<CrsTransform> CrsTransform::create(const Crs& crs) {
   source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const auto target = wgs84();
   impl->forward.reset(OGRCreateCoordinateTransformation(&source, &target));
-  impl->backward.reset(OGRCreateCoordinateTransformation(&target, &source));
-  if (!impl->forward || !impl->backward) {
+  const bool both = ways == Ways::kBoth;
+  if (both) impl->backward.reset(OGRCreateCoordinateTransformation(&target, &source));
+  if (!impl->forward || (both && !impl->backward)) {
     return input_failure("no way is known from " + crs.title() +
                          " to WGS 84: " + messages.first_error());
   }

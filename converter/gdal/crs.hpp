@@ -50,8 +50,11 @@ Result<Crs> parse_crs(const std::string& definition);
 /// whatever order the CRS's authority writes them in; angles in degrees.
 class CrsTransform {
  public:
-  /// Fails (kInput) where PROJ knows no way.
-  static Result<CrsTransform> create(const Crs& crs);
+  /// Finding a way among those that PROJ knows takes milliseconds, each way anew.
+  enum class Ways { kBoth, kToWgs84 };
+
+  /// Fails (kInput) where PROJ knows no way. `from_wgs84` needs both.
+  static Result<CrsTransform> create(const Crs& crs, Ways ways = Ways::kBoth);
   CrsTransform(CrsTransform&&) noexcept;
   CrsTransform& operator=(CrsTransform&&) noexcept;
   ~CrsTransform();

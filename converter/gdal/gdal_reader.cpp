@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "converter/gdal/column_reader.hpp"
 #include "converter/gdal/crs_of.hpp"
 #include "converter/gdal/feature_values.hpp"
 #include "converter/gdal/geometry_paths.hpp"
@@ -102,7 +103,35 @@ class LayerReader {
            condition_.Compile(layer_.GetLayerDefn(), where.c_str()) == OGRERR_NONE;
   }
 
+  // Reads by columns as long as they hold all there is to say about a feature.
+  void try_columns() {
+    const bool is_geopackage = std::string_view(dataset_.GetDriverName()) == "GPKG";
+    if (is_geopackage && !mixed_ && !has_condition_) columns_ = ColumnReader::open(layer_);
+  }
+
   bool next(SourceFeature& feature) {
+    if (columns_) {
+      if (columns_->next(feature)) {
+        ++by_columns_;
+        return true;
+      }
+      if (!columns_->gave_up()) return false;
+      leave_columns();
+    }
+    return next_classic(feature);
+  }
+
+ private:
+  // Goes on with the feature that the columns were left at.
+  void leave_columns() {
+    columns_.reset();
+    layer_.ResetReading();
+    for (std::size_t i = 0; i < by_columns_; ++i) {
+      const OGRFeatureUniquePtr known(layer_.GetNextFeature());
+    }
+  }
+
+  bool next_classic(SourceFeature& feature) {
     const OGRFeatureUniquePtr from = next_of_layer();
     if (!from) return false;
     feature.fid = from->GetFID();
@@ -116,7 +145,6 @@ class LayerReader {
     return true;
   }
 
- private:
   // Formats that hold their layers mixed (OSM) cannot be read layer by layer: those of others are
   // passed over.
   OGRFeatureUniquePtr next_of_layer() {
@@ -134,6 +162,8 @@ class LayerReader {
   double sagitta_;
   OGRFeatureQuery condition_;
   bool has_condition_ = false;
+  std::unique_ptr<ColumnReader> columns_;
+  std::size_t by_columns_ = 0;  // features read so
 };
 
 class GdalReader : public SourceReader {
@@ -205,6 +235,7 @@ Result<std::size_t> GdalReader::read(std::size_t layer, const ReadOptions& optio
     return usage_failure("--where: '" + options.where + "' does not fit layer " + info.name + ": " +
                          messages.first_error());
   }
+  reader.try_columns();
   SourceFeature feature;
   std::size_t count = 0;
   while (reader.next(feature)) {

@@ -112,8 +112,15 @@ Line::~Line() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-bool Line::send(std::uint8_t kind, const std::vector<char>& bytes) const {
+bool Line::send(std::uint8_t kind, std::span<const char> bytes) const {
   const std::uint64_t head = (static_cast<std::uint64_t>(bytes.size()) << 8U) | kind;
+  // What is short goes in one piece: the other side wakes up once.
+  std::array<char, 256> piece;
+  if (sizeof head + bytes.size() <= piece.size()) {
+    std::memcpy(piece.data(), &head, sizeof head);
+    std::copy(bytes.begin(), bytes.end(), piece.begin() + sizeof head);
+    return write_all(socket_, piece.data(), sizeof head + bytes.size());
+  }
   return write_all(socket_, reinterpret_cast<const char*>(&head), sizeof head) &&
          write_all(socket_, bytes.data(), bytes.size());
 }
@@ -162,7 +169,7 @@ ChildProcess::~ChildProcess() {
   ::waitpid(id_, nullptr, 0);
 }
 
-bool ChildProcess::send(std::uint8_t kind, const std::vector<char>& bytes) const {
+bool ChildProcess::send(std::uint8_t kind, std::span<const char> bytes) const {
   return line_.send(kind, bytes);
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ class Line {
   ~Line();
 
   /// False where the other side is gone.
-  bool send(std::uint8_t kind, const std::vector<char>& bytes) const;
+  bool send(std::uint8_t kind, std::span<const char> bytes) const;
   /// Waits for a frame; false where the other side is gone. `frame` keeps its memory.
   bool receive(Frame& frame) const;
   /// True once something can be received (the end, too), false after `milliseconds`.
@@ -58,7 +59,7 @@ class ChildProcess {
   /// Ends the child, whatever it is doing.
   ~ChildProcess();
 
-  bool send(std::uint8_t kind, const std::vector<char>& bytes) const;
+  bool send(std::uint8_t kind, std::span<const char> bytes) const;
 
   /// The next frame; false where the child is no more or was ended for breaking a limit.
   bool receive(Frame& frame);

@@ -24,8 +24,9 @@ ChildLimits limits_for(std::uint64_t source_bytes) {
 // The parent's side.
 class IsolatedReader : public SourceReader {
  public:
-  IsolatedReader(std::string path, std::unique_ptr<ChildProcess> child)
-      : path_(std::move(path)), child_(std::move(child)) {}
+  IsolatedReader(std::string path, std::unique_ptr<SharedBatches> batches,
+                 std::unique_ptr<ChildProcess> child)
+      : path_(std::move(path)), batches_(std::move(batches)), child_(std::move(child)) {}
 
   Result<void> finish_opening() {
     while (next()) {
@@ -70,9 +71,15 @@ class IsolatedReader : public SourceReader {
     for (; alive && !is(Word::kDone); alive = next()) {
       if (is(Word::kWarnings)) append_warnings();
       if (is(Word::kFailure)) return tl::unexpected(failure());
-      if (is(Word::kFeatures)) received += visit_features(visit);
+      if (is(Word::kFeatures)) received += visit_features(content(), visit);
+      if (is(Word::kSlot)) received += visit_slot(visit);
     }
-    if (alive) return received;
+    if (alive && is_told(received)) return received;
+    if (alive) {
+      return input_failure(path_ + ": layer " + layers_[layer].name +
+                           ": not all that was read of it arrived: the process that reads it is "
+                           "out of order");
+    }
     return tl::unexpected(gone("reading layer " + layers_[layer].name + " (after " +
                                std::to_string(received) + " features)"));
   }
@@ -86,15 +93,33 @@ class IsolatedReader : public SourceReader {
   bool is(Word word) const { return frame_.kind == static_cast<std::uint8_t>(word); }
   WireReader content() const { return {frame_.bytes.data(), frame_.bytes.size()}; }
 
+  // Whether the child says it sent so many features.
+  bool is_told(std::size_t received) const {
+    std::uint64_t sent = 0;
+    content().get(sent);
+    return sent == received;
+  }
+
   void append_warnings() {
     std::vector<std::string> warnings;
     content().get(warnings);
     for (auto& warning : warnings) warnings_.push_back(std::move(warning));
   }
 
-  std::size_t visit_features(const FeatureVisitor& visit) {
+  // Whatever the child says of a slot, nothing beyond it is read.
+  std::size_t visit_slot(const FeatureVisitor& visit) {
+    FilledSlot slot;
+    content().get(slot);
+    if (!batches_ || slot.bytes > SharedBatches::kSlotBytes) return 0;
+    const auto count = visit_features({batches_->slot(slot.number).data(), slot.bytes}, visit);
+    WireWriter answer;
+    answer.put(slot.number);
+    child_->send(static_cast<std::uint8_t>(Word::kSlot), answer.bytes());
+    return count;
+  }
+
+  std::size_t visit_features(WireReader wire, const FeatureVisitor& visit) {
     std::size_t count = 0;
-    auto wire = content();
     while (!wire.at_end()) {
       get(wire, feature_);
       if (!wire.good()) break;
@@ -124,6 +149,7 @@ class IsolatedReader : public SourceReader {
   }
 
   std::string path_;
+  std::unique_ptr<SharedBatches> batches_;
   std::unique_ptr<ChildProcess> child_;
   std::string driver_;
   std::vector<LayerInfo> layers_;
@@ -136,10 +162,11 @@ class IsolatedReader : public SourceReader {
 
 OpenedReader open_isolated(const std::string& path, std::uint64_t source_bytes,
                            const ReaderOpener& open) {
-  auto child = ChildProcess::start(limits_for(source_bytes),
-                                   [&](const Line& line) { serve_reader(line, open); });
+  auto batches = SharedBatches::create();
+  auto child = ChildProcess::start(
+      limits_for(source_bytes), [&](const Line& line) { serve_reader(line, batches.get(), open); });
   if (!child) return input_failure(path + ": " + child.error().message);
-  auto reader = std::make_unique<IsolatedReader>(path, *std::move(child));
+  auto reader = std::make_unique<IsolatedReader>(path, std::move(batches), *std::move(child));
   if (auto opened = reader->finish_opening(); !opened) return tl::unexpected(opened.error());
   return reader;
 }

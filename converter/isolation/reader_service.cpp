@@ -7,11 +7,12 @@
 namespace mapwright::converter {
 namespace {
 
-constexpr std::size_t kBatchBytes = 1 << 16U;
+// A batch is sent when there is no more room for an ordinary feature in a slot.
+constexpr std::size_t kBatchBytes = SharedBatches::kSlotBytes - (std::size_t{1} << 14U);
 
 class Service {
  public:
-  explicit Service(const Line& line) : line_(line) {}
+  Service(const Line& line, const SharedBatches* batches) : line_(line), batches_(batches) {}
 
   void run(const ReaderOpener& open) {
     auto reader = open([this](const std::string& driver) { say(Word::kDriver, driver); });
@@ -49,12 +50,15 @@ class Service {
   }
 
   void answer_read(std::uint64_t layer, const ReadOptions& options) {
-    wire_.clear();
+    filled_ = 0;
+    read_ = 0;
+    begin_batch();
     const auto count = reader_->read(layer, options, [this](SourceFeature& feature) {
-      put(wire_, feature);
-      if (wire_.bytes().size() >= kBatchBytes) flush(Word::kFeatures);
+      put(features_, feature);
+      if (features_.size() >= kBatchBytes) send_batch();
     });
-    if (!wire_.bytes().empty()) flush(Word::kFeatures);
+    if (features_.size() > 0) send_batch();
+    wait_until_read(filled_);
     say(Word::kWarnings, reader_->take_warnings());
     if (!count) return say(Word::kFailure, count.error());
     wire_.clear();
@@ -79,15 +83,44 @@ class Service {
     wire_.clear();
   }
 
+  // Features are written where the parent reads them, as long as there is room.
+  void begin_batch() {
+    features_.clear();
+    if (batches_ == nullptr) return;
+    if (filled_ >= SharedBatches::kSlots) wait_until_read(filled_ - SharedBatches::kSlots + 1);
+    features_.write_to(batches_->slot(filled_));
+  }
+
+  void send_batch() {
+    const auto bytes = features_.bytes();
+    if (batches_ != nullptr && bytes.data() == batches_->slot(filled_).data()) {
+      wire_.clear();
+      wire_.put(FilledSlot{filled_++, bytes.size()});
+      flush(Word::kSlot);
+    } else {
+      line_.send(static_cast<std::uint8_t>(Word::kFeatures), bytes);
+    }
+    begin_batch();
+  }
+
+  // Until the parent has read so many slots; it reads them in turn.
+  void wait_until_read(std::uint64_t slots) {
+    Frame frame;
+    while (read_ < slots && line_.receive(frame)) ++read_;
+  }
+
   const Line& line_;
-  WireWriter wire_;
+  const SharedBatches* batches_;
+  std::uint64_t filled_ = 0;  // slots of the layer that is read now
+  std::uint64_t read_ = 0;    // of them, by the parent
+  WireWriter wire_, features_;
   std::unique_ptr<SourceReader> reader_;
 };
 
 }  // namespace
 
-void serve_reader(const Line& line, const ReaderOpener& open) {
-  Service service(line);
+void serve_reader(const Line& line, const SharedBatches* batches, const ReaderOpener& open) {
+  Service service(line, batches);
   try {
     service.run(open);
   } catch (const std::bad_alloc&) {

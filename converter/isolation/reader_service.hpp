@@ -3,6 +3,7 @@
 
 #include "converter/isolation/child_process.hpp"
 #include "converter/isolation/isolated_reader.hpp"
+#include "converter/isolation/shared_batches.hpp"
 
 namespace mapwright::converter {
 
@@ -14,11 +15,12 @@ enum class Word : std::uint8_t {
   kExtent,    ///< parent: layer; child: whether there is one, and the box
   kRead,      ///< parent: layer, ReadOptions
   kFeatures,  ///< child: features, one after the other, until the bytes end
+  kSlot,      ///< child: a FilledSlot with features; parent: its number, once it is read
   kDone,      ///< child: number of features read
   kWarnings,  ///< child: texts, before kOpened and kDone
 };
 
-/// The child's side: opens the source and answers until the parent hangs up.
-void serve_reader(const Line& line, const ReaderOpener& open);
+/// The child's side: opens the source and answers until the parent hangs up. `batches` may be null.
+void serve_reader(const Line& line, const SharedBatches* batches, const ReaderOpener& open);
 
 }  // namespace mapwright::converter

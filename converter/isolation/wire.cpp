@@ -1,5 +1,8 @@
 #include "converter/isolation/wire.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace mapwright::converter {
 namespace {
 
@@ -43,41 +46,78 @@ void get_crs(WireReader& wire, Crs& crs) {
   wire.get(crs.metres_per_unit);
 }
 
+// What a feature's bytes begin with. The rarely needed texts come last, and only if there are any.
+struct FeatureHead {
+  std::int64_t fid = 0;
+  std::uint32_t values = 0, points = 0, paths = 0;
+  bool has_heights = false;
+  bool selected = true;
+  bool has_remarks = false;
+};
+
+bool has_remarks(const SourceFeature& feature) {
+  return !feature.geometry.unsupported.empty() || !feature.broken.empty() ||
+         !feature.warnings.empty() || !feature.reencoded.empty();
+}
+
 }  // namespace
 
+void WireWriter::grow(std::size_t bytes) {
+  constexpr std::size_t kLeast = std::size_t{1} << 16U;
+  const std::size_t capacity = std::max({kLeast, 2 * capacity_, size_ + bytes});
+  std::unique_ptr<char[]> larger(new char[capacity]);
+  if (size_ > 0) std::memcpy(larger.get(), at_, size_);
+  buffer_ = std::move(larger);
+  at_ = buffer_.get();
+  capacity_ = capacity;
+}
+
 void put(WireWriter& wire, const SourceFeature& feature) {
-  wire.put(feature.fid);
-  wire.put(static_cast<std::uint32_t>(feature.values.size()));
-  for (const auto& value : feature.values) put_value(wire, value);
   const auto& geometry = feature.geometry;
-  wire.put(geometry.xs);
-  wire.put(geometry.ys);
-  wire.put(geometry.zs);
-  wire.put(geometry.paths);
+  const FeatureHead head{feature.fid,
+                         static_cast<std::uint32_t>(feature.values.size()),
+                         static_cast<std::uint32_t>(geometry.xs.size()),
+                         static_cast<std::uint32_t>(geometry.paths.size()),
+                         !geometry.zs.empty(),
+                         feature.selected,
+                         has_remarks(feature)};
+  wire.put(head);
+  wire.put_values(geometry.xs);
+  wire.put_values(geometry.ys);
+  wire.put_values(geometry.zs);
+  wire.put_values(geometry.paths);
   wire.put(geometry.type);
+  for (const auto& value : feature.values) put_value(wire, value);
+  if (!head.has_remarks) return;
   wire.put(geometry.unsupported);
   wire.put(feature.broken);
-  wire.put(feature.selected);
   wire.put(feature.warnings);
   wire.put(feature.reencoded);
 }
 
 void get(WireReader& wire, SourceFeature& feature) {
-  wire.get(feature.fid);
-  std::uint32_t values = 0;
-  wire.get(values);
-  if (!wire.good()) return;
-  feature.values.resize(values);
-  for (auto& value : feature.values) get_value(wire, value);
+  FeatureHead head;
+  wire.get(head);
+  feature.fid = head.fid;
+  feature.selected = head.selected;
   auto& geometry = feature.geometry;
-  wire.get(geometry.xs);
-  wire.get(geometry.ys);
-  wire.get(geometry.zs);
-  wire.get(geometry.paths);
+  wire.get_values(geometry.xs, head.points);
+  wire.get_values(geometry.ys, head.points);
+  wire.get_values(geometry.zs, head.has_heights ? head.points : 0);
+  wire.get_values(geometry.paths, head.paths);
+  wire.check(std::all_of(geometry.paths.begin(), geometry.paths.end(), [&](const SourcePath& path) {
+    return path.first <= head.points && path.count <= head.points - path.first;
+  }));
   wire.get(geometry.type);
+  wire.resize(feature.values, head.values);
+  for (auto& value : feature.values) get_value(wire, value);
+  geometry.unsupported.clear();
+  feature.broken.clear();
+  feature.warnings.clear();
+  feature.reencoded.clear();
+  if (!head.has_remarks) return;
   wire.get(geometry.unsupported);
   wire.get(feature.broken);
-  wire.get(feature.selected);
   wire.get(feature.warnings);
   wire.get(feature.reencoded);
 }

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -16,7 +18,10 @@ class WireWriter {
  public:
   template <class T>
   requires std::is_trivially_copyable_v<T>
-  void put(const T& value) { append(&value, sizeof value); }
+  void put(const T& value) {
+    std::memcpy(room(sizeof value), &value, sizeof value);
+    size_ += sizeof value;
+  }
   void put(const std::string& text) {
     put(static_cast<std::uint32_t>(text.size()));
     append(text.data(), text.size());
@@ -31,17 +36,41 @@ class WireWriter {
     }
   }
 
-  const std::vector<char>& bytes() const { return bytes_; }
-  void clear() { bytes_.clear(); }
-
- private:
-  void append(const void* data, std::size_t size) {
-    if (size == 0) return;
-    const auto* begin = static_cast<const char*>(data);
-    bytes_.insert(bytes_.end(), begin, begin + size);
+  /// Without its length, which the other side must know.
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void put_values(const std::vector<T>& values) {
+    append(values.data(), values.size() * sizeof(T));
   }
 
-  std::vector<char> bytes_;
+  std::span<const char> bytes() const { return {at_, size_}; }
+  std::size_t size() const { return size_; }
+  void clear() { size_ = 0; }
+
+  /// Goes on, empty, in memory of somebody else's, as long as that is enough.
+  void write_to(std::span<char> memory) {
+    at_ = memory.data();
+    capacity_ = memory.size();
+    size_ = 0;
+  }
+
+ private:
+  // Where so many bytes may be written.
+  char* room(std::size_t bytes) {
+    if (bytes > capacity_ - size_) grow(bytes);
+    return at_ + size_;
+  }
+  void grow(std::size_t bytes);
+  void append(const void* data, std::size_t bytes) {
+    if (bytes == 0) return;
+    std::memcpy(room(bytes), data, bytes);
+    size_ += bytes;
+  }
+
+  std::unique_ptr<char[]> buffer_;  // std::vector would set what is written at once
+  char* at_ = nullptr;              // there, or in memory of somebody else's
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
 };
 
 /// Takes values out of a buffer. What ends too early gives zeros and is not `good`.
@@ -50,6 +79,8 @@ class WireReader {
   WireReader(const char* begin, std::size_t size) : next_(begin), left_(size) {}
 
   bool good() const { return good_; }
+  /// Says that values do not fit together.
+  void check(bool fits) { good_ = good_ && fits; }
   bool at_end() const { return left_ == 0; }
 
   template <class T>
@@ -58,6 +89,22 @@ class WireReader {
   void get(std::string& text) {
     text.resize(count(1));
     take(text.data(), text.size());
+  }
+  /// `count` values without their length.
+  template <class T>
+  void get_values(std::vector<T>& values, std::size_t count) {
+    if (count > left_ / sizeof(T)) {
+      good_ = false;
+      count = 0;
+    }
+    values.resize(count);
+    take(values.data(), count * sizeof(T));
+  }
+  /// As many values as are to follow, each of a byte or more.
+  template <class T>
+  void resize(std::vector<T>& values, std::size_t count) {
+    if (count > left_) good_ = false;
+    values.resize(good_ ? count : 0);
   }
   template <class T>
   void get(std::vector<T>& values) {

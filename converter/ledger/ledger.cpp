@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <utility>
 
 namespace mapwright::converter {
@@ -105,33 +106,38 @@ Json feature_json(const LedgerFeature& feature, const LedgerSource& source) {
   for (const auto& reason : feature.reasons) {
     reasons.push_back(reason_json(reason));
   }
+  Json obstacles = Json::array();
+  for (const auto id : feature.obstacles) obstacles.push_back(id);
   return {{"source", source.path},
           {"layer", source.layer},
           {"fid", feature.fid},
           {"outcome", to_string(feature.outcome)},
-          {"obstacles", feature.obstacles},
+          {"obstacles", std::move(obstacles)},
           {"reasons", std::move(reasons)}};
 }
 
 }  // namespace
 
 // One line a feature, so that a ledger of a million is a text file that tools can search.
-std::string format_ledger(const Ledger& ledger) {
+void write_ledger(const Ledger& ledger, std::ostream& out) {
   const auto totals = ledger.totals();
-  std::string text = "{\"schema\":\"mapwright.convert/1\",\n\"sources\":[";
+  out << "{\"schema\":\"mapwright.convert/1\",\n\"sources\":[";
   for (std::size_t i = 0; i < ledger.sources.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + dumped(source_json(ledger.sources[i]));
+    out << (i == 0 ? "\n" : ",\n") << dumped(source_json(ledger.sources[i]));
   }
-  text += "],\n\"totals\":" + dumped(Json{{"features", totals.features},
-                                          {"written", totals.written},
-                                          {"changed", totals.changed},
-                                          {"dropped", totals.dropped}});
-  text += ",\n\"features\":[";
-  for (std::size_t i = 0; i < ledger.features.size(); ++i) {
-    const auto& feature = ledger.features[i];
-    text += (i == 0 ? "\n" : ",\n") + dumped(feature_json(feature, ledger.sources[feature.source]));
+  out << "],\n\"totals\":"
+      << dumped(Json{{"features", totals.features},
+                     {"written", totals.written},
+                     {"changed", totals.changed},
+                     {"dropped", totals.dropped}});
+  out << ",\n\"features\":[";
+  bool is_first = true;
+  for (const auto& feature : ledger.features) {
+    out << (is_first ? "\n" : ",\n")
+        << dumped(feature_json(feature, ledger.sources[feature.source]));
+    is_first = false;
   }
-  return text + "]}\n";
+  out << "]}\n";
 }
 
 }  // namespace mapwright::converter

@@ -3,10 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "converter/store/long_list.hpp"
+#include "converter/store/small_list.hpp"
 #include "mapcore/finding.hpp"
 
 namespace mapwright::converter {
@@ -29,12 +32,14 @@ struct LedgerReason {
   Measures measures = {};
 };
 
+/// The account of a feature. Most are one obstacle and need no reason, and there are as many as the
+/// sources have features: these take 40 bytes and nothing besides.
 struct LedgerFeature {
-  std::uint32_t source = 0;  ///< position in Ledger::sources
   std::int64_t fid = 0;
+  OneOrMore<std::int64_t> obstacles;  ///< ids
+  NoneOrMore<LedgerReason> reasons;
+  std::uint32_t source = 0;  ///< position in Ledger::sources
   Outcome outcome = Outcome::kWritten;
-  std::vector<std::int64_t> obstacles;  ///< ids
-  std::vector<LedgerReason> reasons;
 };
 
 /// A layer of a source.
@@ -52,7 +57,7 @@ struct LedgerTotals {
 class Ledger {
  public:
   std::vector<LedgerSource> sources;
-  std::vector<LedgerFeature> features;
+  LongList<LedgerFeature> features;
 
   /// Opens the account of a feature; returns its position.
   std::size_t open(std::size_t source, std::int64_t fid);
@@ -73,6 +78,7 @@ class Ledger {
 bool balances(const Ledger& ledger);
 
 /// The report of `convert --report`: JSON with "schema": "mapwright.convert/1" (docs/cli.md).
-std::string format_ledger(const Ledger& ledger);
+/// Written feature by feature, so that it is nowhere whole.
+void write_ledger(const Ledger& ledger, std::ostream& out);
 
 }  // namespace mapwright::converter

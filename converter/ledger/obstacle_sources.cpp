@@ -1,6 +1,7 @@
 #include "converter/ledger/obstacle_sources.hpp"
 
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 namespace mapwright::converter {
 namespace {
@@ -9,11 +10,16 @@ constexpr std::string_view kSchema = "mapwright.convert/1";
 
 }  // namespace
 
-ObstacleSources::ObstacleSources(const Ledger& ledger) {
+ObstacleSources::ObstacleSources(const Ledger& ledger, const std::vector<Finding>& findings) {
+  std::unordered_set<std::int64_t> wanted;
+  for (const auto& finding : findings) {
+    if (finding.obstacle) wanted.insert(*finding.obstacle);
+  }
+  if (wanted.empty()) return;
   for (const auto& feature : ledger.features) {
     const auto& source = ledger.sources[feature.source];
     for (const auto id : feature.obstacles) {
-      features_[id].push_back({source.path, source.layer, feature.fid});
+      if (wanted.count(id) > 0) features_[id].push_back({source.path, source.layer, feature.fid});
     }
   }
 }

@@ -15,7 +15,8 @@ namespace mapwright::converter {
 /// The ledger of a conversion, by obstacle.
 class ObstacleSources {
  public:
-  explicit ObstacleSources(const Ledger& ledger);
+  /// What the ledger knows of the obstacles that `findings` are about.
+  ObstacleSources(const Ledger& ledger, const std::vector<Finding>& findings);
 
   /// From the file that `convert --report` writes. Fails (kInput) for other texts.
   static Result<ObstacleSources> parse(std::string_view json);

@@ -70,7 +70,7 @@ Result<std::optional<Georeference>> resolve(const ConvertOptions& options,
 Result<MapTransform> transform_of(const LayerJob& job, const std::optional<LocalFrame>& frame,
                                   double local_unit_m) {
   if (!job.crs.is_stated() || !frame) return MapTransform(local_unit_m);
-  auto to_wgs84 = CrsTransform::create(job.crs);
+  auto to_wgs84 = CrsTransform::create(job.crs, CrsTransform::Ways::kToWgs84);
   if (!to_wgs84) {
     return input_failure(job.source->path() + ": layer " + job.info().name + ": " +
                          to_wgs84.error().message);
@@ -152,7 +152,7 @@ void append_doubts(const OpenedSources& sources, std::vector<std::string>& warni
 
 std::vector<std::string> warnings_of(const ConvertOptions& options, const OpenedSources& sources,
                                      const std::optional<Georeference>& georeference,
-                                     const Map& map) {
+                                     const ConvertedMap& map) {
   std::vector<std::string> warnings;
   for (const auto& source : sources.sources) {
     warnings.insert(warnings.end(), source->warnings().begin(), source->warnings().end());
@@ -166,7 +166,8 @@ std::vector<std::string> warnings_of(const ConvertOptions& options, const Opened
   append_doubts(sources, warnings);
   const auto latitude =
       georeference ? std::optional(georeference->origin_latitude_deg) : std::nullopt;
-  if (auto doubt = doubt_about_scale(map, latitude)) warnings.push_back(*std::move(doubt));
+  if (auto doubt = doubt_about_scale(map.extent(), map.others(), latitude))
+    warnings.push_back(*std::move(doubt));
   const Border& border = map.border;
   const double away =
       std::hypot(0.5 * (border.left + border.right), 0.5 * (border.top + border.bottom));

@@ -7,9 +7,9 @@
 
 #include "converter/frame/origin.hpp"
 #include "converter/ledger/ledger.hpp"
+#include "converter/pipeline/converted_map.hpp"
 #include "converter/rules/rule.hpp"
 #include "mapcore/georeference.hpp"
-#include "mapcore/map.hpp"
 #include "mapcore/progress.hpp"
 #include "mapcore/tolerances.hpp"
 
@@ -42,7 +42,7 @@ struct ConvertOptions {
 };
 
 struct Conversion {
-  Map map;
+  ConvertedMap map;
   double resolution_m = tolerance::kResolution_m;  ///< that it shall be written at
   std::optional<Georeference> georeference;        ///< nothing for plain local metres
   Ledger ledger;

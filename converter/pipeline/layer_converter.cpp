@@ -1,6 +1,7 @@
 #include "converter/pipeline/layer_converter.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 
@@ -12,10 +13,27 @@
 namespace mapwright::converter {
 namespace {
 
+// Without a way out in the middle, so that several are looked at at a time; not-a-number is nowhere
+// within.
+bool are_within(const std::vector<double>& values, double reach) {
+  bool within = true;
+  for (const double value : values) within = within & (std::abs(value) <= reach);
+  return within;
+}
+
+bool all_within(const SourceGeometry& geometry, double reach) {
+  return are_within(geometry.xs, reach) && are_within(geometry.ys, reach);
+}
+
 bool all_finite(const SourceGeometry& geometry) {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  return std::all_of(geometry.xs.begin(), geometry.xs.end(), finite) &&
-         std::all_of(geometry.ys.begin(), geometry.ys.end(), finite);
+  return all_within(geometry, DBL_MAX);
+}
+
+// A layer's name as a label.
+std::string label_of(const std::string& layer) {
+  std::string label = sanitized_semantic(layer);
+  std::replace(label.begin(), label.end(), ',', ' ');
+  return label;
 }
 
 Box extent_of(const SourceGeometry& geometry) {
@@ -52,7 +70,8 @@ LayerConverter::LayerConverter(const ConvertOptions& options, const LayerJob& jo
       exported_(exported),
       exchange_(job.info().fields),
       ramps_(workspace),
-      rules_(*job.rules, job.info()) {}
+      rules_(*job.rules, job.info()),
+      layer_label_(label_of(job.info().name)) {}
 
 Result<void> LayerConverter::run() {
   ReadOptions reading;
@@ -107,7 +126,16 @@ void LayerConverter::convert_part(SourceFeature& feature, std::size_t account) {
   if (!selects(feature, account) || !interprets(feature, account)) return;
   if (!places(feature, account) || !keeps(feature, account)) return;
   tell_about_values(feature, account);
-  build({feature, meaning_, account, source_, grid_north_});
+  build({feature, meaning_, account, source_, grid_north_, is_plain()});
+}
+
+// Whether nothing is left to be done to what the feature becomes: tidying looks at the whole
+// drawing, and loose lines of drawings are joined.
+bool LayerConverter::is_plain() const {
+  if (options_.snap_m > 0.0 || options_.simplify_m > 0.0 || options_.dissolve) return false;
+  const auto kind = meaning_.rule->kind;
+  return kind == FeatureKind::kSolid || kind == FeatureKind::kRoom ||
+         (kind == FeatureKind::kWall && !job_.info().chains_lines);
 }
 
 bool LayerConverter::is_exported_obstacle(const SourceFeature& feature) {
@@ -205,6 +233,19 @@ void LayerConverter::place_exactly(std::span<double> xs, std::span<double> ys) {
   options_.resolution_m < kFine_m ? transform_.apply_exactly(xs, ys) : transform_.apply(xs, ys);
 }
 
+// A ring's last point is its first once more, and costs as much.
+void LayerConverter::place(SourceGeometry& geometry) {
+  auto& xs = geometry.xs;
+  auto& ys = geometry.ys;
+  const bool is_ring = geometry.paths.size() == 1 && xs.size() > 1 && xs.front() == xs.back() &&
+                       ys.front() == ys.back();
+  const std::size_t count = is_ring ? xs.size() - 1 : xs.size();
+  transform_.apply(std::span(xs).first(count), std::span(ys).first(count));
+  if (!is_ring) return;
+  xs.back() = xs.front();
+  ys.back() = ys.front();
+}
+
 // Takes the geometry into the map frame.
 bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   auto& geometry = feature.geometry;
@@ -222,7 +263,8 @@ bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   if (is_directional(meaning_.rule->kind)) {
     grid_north_ = transform_.grid_north(geometry.xs.front(), geometry.ys.front());
   }
-  transform_.apply(geometry.xs, geometry.ys);
+  place(geometry);
+  if (all_within(geometry, tolerance::kAbsurdCoordinate_m)) return true;
   if (!all_finite(geometry)) {
     ledger.drop(account, FindingCode::C205,
                 "a coordinate is beyond what " + job_.crs.title() + " covers");
@@ -231,7 +273,6 @@ bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   const Box box = extent_of(geometry);
   const double reach = std::max(
       {std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y)});
-  if (reach <= tolerance::kAbsurdCoordinate_m) return true;
   ledger.drop(
       account, FindingCode::C220,
       with_metres("it lies %.0f km from the map's origin; are --origin, the CRS and the order of "
@@ -271,14 +312,12 @@ void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t
     ledger.change(account, FindingCode::C215,
                   "characters the map format reserves were replaced in the semantic string");
   }
-  std::string layer = sanitized_semantic(job_.info().name);
-  std::replace(layer.begin(), layer.end(), ',', ' ');
-  if (meaning_.semantic.empty()) meaning_.semantic = layer;
+  if (meaning_.semantic.empty()) meaning_.semantic = layer_label_;
   if (!options_.source_tokens) return;
-  meaning_.semantic =
-      std::string(Semantic(meaning_.semantic)
-                      .with_value(semantic_key::kSource, layer + ":" + std::to_string(feature.fid))
-                      .view());
+  meaning_.semantic = std::string(
+      Semantic(meaning_.semantic)
+          .with_value(semantic_key::kSource, layer_label_ + ":" + std::to_string(feature.fid))
+          .view());
 }
 
 void LayerConverter::build(const FeatureTask& task) {

@@ -25,11 +25,13 @@ class LayerConverter {
   void convert(SourceFeature& feature);
   void convert_parts(const SourceFeature& feature, std::size_t account);
   void convert_part(SourceFeature& feature, std::size_t account);
+  bool is_plain() const;
   bool is_exported_obstacle(const SourceFeature& feature);
   bool selects(const SourceFeature& feature, std::size_t account);
   bool would_build(const SourceFeature& feature);
   bool interprets(const SourceFeature& feature, std::size_t account);
   void place_exactly(std::span<double> xs, std::span<double> ys);
+  void place(SourceGeometry& geometry);
   bool places(SourceFeature& feature, std::size_t account);
   bool keeps(const SourceFeature& feature, std::size_t account);
   void tell_about_values(const SourceFeature& feature, std::size_t account);
@@ -46,6 +48,7 @@ class LayerConverter {
   ExchangeFields exchange_;
   RampCollector ramps_;
   LayerRules rules_;
+  std::string layer_label_;
   AxisSuspicion suspicion_;
   Meaning meaning_;
   Point grid_north_{0.0, 1.0};

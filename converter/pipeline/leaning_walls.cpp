@@ -21,10 +21,33 @@ bool meet(const Box& p, const Box& q) {
   return p.min_x <= q.max_x && q.min_x <= p.max_x && p.min_y <= q.max_y && q.min_y <= p.max_y;
 }
 
+bool is_wall(const PlainObstacle& plain) {
+  return is_open_chain(plain.shape_type);
+}
+
+Box extent_of(const PlainObstacle& plain) {
+  Box box = kEmptyBox;
+  for (const Point p : plain.chain()) box.add(p);
+  return box;
+}
+
+// Calls `visit(a, b)` for each segment.
+template <class Visit>
+void for_each_segment(const PlainObstacle& plain, const Visit& visit) {
+  const auto chain = plain.chain();
+  for (std::size_t i = 0; i < plain.segment_count(); ++i) {
+    visit(chain[i], chain[i + 1 == chain.size() ? 0 : i + 1]);
+  }
+}
+
 // Box around all walls.
-Box extent_of_walls(const std::vector<Draft>& drafts) {
+Box extent_of_walls(const Workspace& workspace) {
   Box all = kEmptyBox;
-  for (const auto& draft : drafts) {
+  for (const auto& plain : workspace.plain.all()) {
+    if (!is_wall(plain)) continue;
+    for (const Point p : plain.chain()) all.add(p);
+  }
+  for (const auto& draft : workspace.drafts) {
     if (!is_wall(draft)) continue;
     for (const auto& segment : draft.obstacle.segments) {
       all.add(segment.a);
@@ -35,9 +58,13 @@ Box extent_of_walls(const std::vector<Draft>& drafts) {
 }
 
 // Edges of the rings that walls can lean on.
-SegmentIndex ring_edges(const std::vector<Draft>& drafts, const Box& walls) {
+SegmentIndex ring_edges(const Workspace& workspace, const Box& walls) {
   std::vector<IndexedSegment> edges;
-  for (const auto& draft : drafts) {
+  for (const auto& plain : workspace.plain.all()) {
+    if (is_wall(plain) || !meet(extent_of(plain), walls)) continue;
+    for_each_segment(plain, [&](Point a, Point b) { edges.push_back({a, b, 0}); });
+  }
+  for (const auto& draft : workspace.drafts) {
     if (!is_ring(draft) || !meet(extent(draft.obstacle), walls)) continue;
     for (const auto& segment : draft.obstacle.segments) edges.push_back({segment.a, segment.b, 0});
   }
@@ -47,28 +74,48 @@ SegmentIndex ring_edges(const std::vector<Draft>& drafts, const Box& walls) {
 enum class Lean { kNot, kRight, kWrong };
 
 // How a wall segment lies on outlines: right where one of them runs its way.
-Lean lean_of(const Segment& segment, const SegmentIndex& edges) {
+Lean lean_of(Point a, Point b, const SegmentIndex& edges) {
   Box box = kEmptyBox;
-  box.add(segment.a);
-  box.add(segment.b);
+  box.add(a);
+  box.add(b);
   Lean lean = Lean::kNot;
   edges.query(box, [&](std::size_t i) {
     const auto& edge = edges[i];
-    if (meet(segment.a, segment.b, edge.a, edge.b).kind != Meeting::kOverlap) return true;
-    lean = dot(segment.b - segment.a, edge.b - edge.a) > 0.0 ? Lean::kRight : Lean::kWrong;
+    if (meet(a, b, edge.a, edge.b).kind != Meeting::kOverlap) return true;
+    lean = dot(b - a, edge.b - edge.a) > 0.0 ? Lean::kRight : Lean::kWrong;
     return lean != Lean::kRight;
   });
   return lean;
 }
 
-bool leans_wrongly(const Obstacle& wall, const SegmentIndex& edges) {
-  bool wrong = false;
-  for (const auto& segment : wall.segments) {
-    const auto lean = lean_of(segment, edges);
-    if (lean == Lean::kRight) return false;
-    wrong = wrong || lean == Lean::kWrong;
+// Gathers how the segments of a wall lean.
+class WallLean {
+ public:
+  explicit WallLean(const SegmentIndex& edges) : edges_(edges) {}
+  void add(Point a, Point b) {
+    if (is_right_) return;
+    const auto lean = lean_of(a, b, edges_);
+    is_right_ = lean == Lean::kRight;
+    is_wrong_ = is_wrong_ || lean == Lean::kWrong;
   }
-  return wrong;
+  bool is_wrong() const { return is_wrong_ && !is_right_; }
+
+ private:
+  const SegmentIndex& edges_;
+  bool is_right_ = false;
+  bool is_wrong_ = false;
+};
+
+bool leans_wrongly(const Obstacle& wall, const SegmentIndex& edges) {
+  WallLean lean(edges);
+  for (const auto& segment : wall.segments) lean.add(segment.a, segment.b);
+  return lean.is_wrong();
+}
+
+bool leans_wrongly(const PlainObstacle& wall, const SegmentIndex& edges) {
+  WallLean lean(edges);
+  for_each_segment(wall, [&](Point a, Point b) { lean.add(a, b); });
+  return lean.is_wrong();
 }
 
 void reverse(Obstacle& wall) {
@@ -76,21 +123,33 @@ void reverse(Obstacle& wall) {
   for (auto& segment : wall.segments) std::swap(segment.a, segment.b);
 }
 
+// A chain that ends where it began still begins at its first point.
+void reverse(PlainObstacle& wall) {
+  const auto chain = wall.chain();
+  std::reverse(chain.begin() + (wall.joined ? 1 : 0), chain.end());
+}
+
+void say_turned(std::size_t account, Ledger& ledger) {
+  ledger.change(account, FindingCode::C228,
+                "the line lies on the outline of a solid with its free side towards it and "
+                "was turned");
+}
+
 }  // namespace
 
 void turn_leaning_walls(Workspace& workspace) {
-  const Box walls = extent_of_walls(workspace.drafts);
+  const Box walls = extent_of_walls(workspace);
   if (walls.is_empty()) return;
-  const auto edges = ring_edges(workspace.drafts, walls);
+  const auto edges = ring_edges(workspace, walls);
   for (auto& draft : workspace.drafts) {
     if (!is_wall(draft) || !leans_wrongly(draft.obstacle, edges)) continue;
     reverse(draft.obstacle);
-    for (const std::size_t account : draft.features) {
-      workspace.ledger.change(
-          account, FindingCode::C228,
-          "the line lies on the outline of a solid with its free side towards it and "
-          "was turned");
-    }
+    for (const std::size_t account : draft.features) say_turned(account, workspace.ledger);
+  }
+  for (auto& plain : workspace.plain.all()) {
+    if (!is_wall(plain) || !leans_wrongly(plain, edges)) continue;
+    reverse(plain);
+    say_turned(plain.account, workspace.ledger);
   }
 }
 

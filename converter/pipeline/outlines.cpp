@@ -7,6 +7,7 @@
 #include <set>
 
 #include "converter/pipeline/ring_validity.hpp"
+#include "converter/pipeline/simple_solid.hpp"
 #include "mapcore/angle.hpp"
 #include "mapcore/geometry/hausdorff.hpp"
 #include "mapcore/geometry/orientation.hpp"
@@ -228,8 +229,25 @@ std::vector<Outline> outlines_of(const FeatureTask& task, Workspace& workspace) 
   return outlines;
 }
 
+namespace {
+
+void add_plain_outlines(const FeatureTask& task, const std::vector<Outline>& outlines,
+                        double height_m, Workspace& workspace) {
+  const bool ties = task.meaning.rule->kind != FeatureKind::kRoom;
+  for (const auto& outline : outlines) {
+    const auto type = outline.curved ? ShapeType::kClosedCurve : ShapeType::kClosedPolygon;
+    add_plain(task, {outline.polygon.outer, true, type, false}, height_m, workspace);
+    for (const auto& hole : outline.polygon.holes) {
+      add_plain(task, {hole, true, type, ties}, height_m, workspace);
+    }
+  }
+}
+
+}  // namespace
+
 void add_outlines(const FeatureTask& task, const std::vector<Outline>& outlines, double height_m,
                   Workspace& workspace) {
+  if (task.is_plain) return add_plain_outlines(task, outlines, height_m, workspace);
   const SegmentStyle style{height_m, task.meaning.in_out, Semantic(task.meaning.segment_semantic)};
   for (const auto& outline : outlines) {
     const auto type = outline.curved ? ShapeType::kClosedCurve : ShapeType::kClosedPolygon;
@@ -247,6 +265,7 @@ void add_outlines(const FeatureTask& task, const std::vector<Outline>& outlines,
 }
 
 void add_solid(const FeatureTask& task, Workspace& workspace) {
+  if (add_simple_solid(task, workspace)) return;
   auto outlines = outlines_of(task, workspace);
   if (task.meaning.rule->kind == FeatureKind::kRoom) turn_inside_out(outlines);
   if (!outlines.empty()) add_outlines(task, outlines, height_of(task, workspace), workspace);

@@ -96,12 +96,6 @@ Result<void> open_source(const std::string& path, const ConvertOptions& options,
   return more;
 }
 
-const RuleSet* guessed_rules(const VectorSource& source, const ConvertOptions& options,
-                             const OpenedSources& opened) {
-  if (source.driver() == "OSM") return &opened.osm_rules;
-  return source.driver() == "IndoorGML" ? &opened.indoor_rules : &options.rules;
-}
-
 bool overlap(const Box& p, const Box& q) {
   return p.min_x < q.max_x && q.min_x < p.max_x && p.min_y < q.max_y && q.min_y < p.max_y;
 }
@@ -129,6 +123,24 @@ Result<void> check_storeys(VectorSource& source, const std::vector<std::string>&
                        names);
 }
 
+// A built-in set, read when the first layer goes by it.
+Result<const RuleSet*> builtin(const char* name, RuleSet& set) {
+  if (!set.rules.empty()) return &set;
+  auto read = read_rules(std::string(builtin_rules(name)), name);
+  if (!read) return tl::unexpected(read.error());
+  set = *std::move(read);
+  return &set;
+}
+
+// Rules that fit a layer better than those for everything; null where there are none.
+Result<const RuleSet*> rules_for(const VectorSource& source, bool is_export,
+                                 OpenedSources& opened) {
+  if (is_export) return builtin("mapwright", opened.mapwright_rules);
+  if (source.driver() == "OSM") return builtin("osm", opened.osm_rules);
+  if (source.driver() == "IndoorGML") return builtin("indoorgml", opened.indoor_rules);
+  return nullptr;
+}
+
 Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame>& frame,
                          const ConvertOptions& options, const UserCrs& said,
                          OpenedSources& opened) {
@@ -137,10 +149,11 @@ Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame
     const auto& layer = source.layers()[i];
     if (!is_asked_for(layer, options.layers)) continue;
     LayerJob job{&source, i, layer.crs, place_of(source), &options.rules};
-    if (options.rules_are_guessed) job.rules = guessed_rules(source, options, opened);
     if (is_exported(layer)) job.place = place_of_export(source, layer);
-    if (options.rules_are_guessed && (frame || is_exported(layer))) {
-      job.rules = &opened.mapwright_rules;
+    if (options.rules_are_guessed) {
+      auto better = rules_for(source, frame || is_exported(layer), opened);
+      if (!better) return tl::unexpected(better.error());
+      if (*better != nullptr) job.rules = *better;
     }
     if (frame) {
       if (auto taken = take_recorded(*frame, options, opened, job); !taken) return taken;
@@ -212,7 +225,6 @@ double tidy(double degrees) {
 
 Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& options) {
   auto opened = std::make_unique<OpenedSources>();
-  if (auto read = read_builtin_rules(*opened); !read) return tl::unexpected(read.error());
   const auto said = user_crs(options);
   if (!said) return tl::unexpected(said.error());
   for (const auto& path : options.sources) {
@@ -239,7 +251,7 @@ Result<GeoPoint> center_of(const OpenedSources& sources, bool swap_axes) {
     if (!extent) return tl::unexpected(extent.error());
     const auto& box = *extent;
     if (!box || !job.crs.is_stated()) continue;
-    const auto transform = CrsTransform::create(job.crs);
+    const auto transform = CrsTransform::create(job.crs, CrsTransform::Ways::kToWgs84);
     if (!transform) return tl::unexpected(transform.error());
     std::vector<double> xs, ys;
     append_outline(*box, xs, ys);

@@ -29,7 +29,7 @@ struct LayerJob {
 struct OpenedSources {
   std::vector<std::unique_ptr<VectorSource>> sources;
   std::vector<LayerJob> jobs;
-  RuleSet osm_rules, indoor_rules, mapwright_rules;
+  RuleSet osm_rules, indoor_rules, mapwright_rules;  ///< empty until a layer goes by them
   std::vector<std::optional<RecordedFrame>> frames;  ///< by source; of those that are exports
   std::optional<RecordedFrame> frame;                ///< the first of them
 };

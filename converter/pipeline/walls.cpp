@@ -75,6 +75,12 @@ bool has_polygons(const SourceGeometry& geometry) {
 }  // namespace
 
 void add_wall(const FeatureTask& task, double height_m, Workspace& workspace) {
+  if (task.is_plain) {
+    for (const auto& line : lines_of(task, workspace)) {
+      add_plain(task, {line.points, line.closed, shape_of(line), false}, height_m, workspace);
+    }
+    return;
+  }
   const SegmentStyle style{height_m, task.meaning.in_out, Semantic(task.meaning.segment_semantic)};
   for (const auto& line : lines_of(task, workspace)) {
     Draft draft = draft_for(task, shape_of(line));

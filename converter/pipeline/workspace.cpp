@@ -1,5 +1,6 @@
 #include "converter/pipeline/workspace.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <iterator>
 
@@ -37,6 +38,27 @@ Draft draft_for(const FeatureTask& task, ShapeType shape_type) {
   draft.source = task.source;
   draft.features.push_back(task.account);
   return draft;
+}
+
+void finish_plain(const FeatureTask& task, PlainObstacle plain, double height_m,
+                  Workspace& workspace) {
+  const auto& meaning = task.meaning;
+  plain.height_m = height_m;
+  plain.account = static_cast<std::uint32_t>(task.account);
+  workspace.plain.add(plain, meaning.rule->kind, task.source, meaning.semantic, meaning.in_out,
+                      meaning.segment_semantic);
+}
+
+void add_plain(const FeatureTask& task, const PlainShape& shape, double height_m,
+               Workspace& workspace) {
+  PlainObstacle plain;
+  plain.count = static_cast<std::uint32_t>(shape.points.size());
+  plain.points = workspace.plain.room_for(shape.points.size());
+  std::copy(shape.points.begin(), shape.points.end(), plain.points);
+  plain.shape_type = shape.type;
+  plain.joined = shape.joined;
+  plain.is_inner = shape.is_inner;
+  finish_plain(task, plain, height_m, workspace);
 }
 
 }  // namespace mapwright::converter

@@ -51,8 +51,8 @@ BoundQuantity::BoundQuantity(const Quantity& quantity, const std::vector<std::st
   }
 }
 
-std::optional<double> BoundQuantity::evaluate(const SourceFeature& feature,
-                                              std::vector<std::string>& unreadable) const {
+std::optional<double> BoundQuantity::evaluate_terms(const SourceFeature& feature,
+                                                    std::vector<std::string>& unreadable) const {
   for (const auto& term : terms_) {
     if (term.constant) return term.constant;
     const auto value = term.slope ? read_slope(term.field, feature, unreadable)

@@ -19,13 +19,18 @@ class BoundQuantity {
   /// The first term with a value, in metres (or plain numbers, for quantities that are no lengths).
   /// Texts that are no quantity are added to `unreadable`.
   std::optional<double> evaluate(const SourceFeature& feature,
-                                 std::vector<std::string>& unreadable) const;
+                                 std::vector<std::string>& unreadable) const {
+    return terms_.empty() ? std::nullopt : evaluate_terms(feature, unreadable);
+  }
 
   /// "height, top_z − base_z, 2.5": the terms this layer has.
   std::string describe() const;
   void append_fields(std::vector<std::string>& names) const;
 
  private:
+  std::optional<double> evaluate_terms(const SourceFeature& feature,
+                                       std::vector<std::string>& unreadable) const;
+
   struct Term {
     std::optional<double> constant;
     Field field, minus;

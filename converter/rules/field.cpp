@@ -61,14 +61,32 @@ const FieldValue* Field::value(const SourceFeature& feature) const {
   return &feature.values[i];
 }
 
-std::optional<std::string> Field::text(const SourceFeature& feature) const {
+std::optional<std::string_view> Field::text(const SourceFeature& feature,
+                                            std::string& buffer) const {
   const auto* found = value(feature);
   if (found == nullptr) return std::nullopt;
-  if (const auto* whole = std::get_if<std::int64_t>(found)) return std::to_string(*whole);
-  if (const auto* number = std::get_if<double>(found)) return shortest(*number);
+  if (const auto* whole = std::get_if<std::int64_t>(found)) {
+    buffer = std::to_string(*whole);
+    return buffer;
+  }
+  if (const auto* number = std::get_if<double>(found)) {
+    buffer = shortest(*number);
+    return buffer;
+  }
   const auto& text = std::get<std::string>(*found);
-  if (!tag_.empty()) return tag_value(text, tag_);
-  return text.empty() ? std::nullopt : std::optional(text);
+  if (!tag_.empty()) {
+    auto tag = tag_value(text, tag_);
+    if (!tag) return std::nullopt;
+    buffer = *std::move(tag);
+    return buffer;
+  }
+  return text.empty() ? std::nullopt : std::optional<std::string_view>(text);
+}
+
+std::optional<std::string> Field::text(const SourceFeature& feature) const {
+  std::string buffer;
+  const auto found = text(feature, buffer);
+  return found ? std::optional<std::string>(*found) : std::nullopt;
 }
 
 std::optional<double> Field::number(const SourceFeature& feature) const {

@@ -25,6 +25,9 @@ class Field {
   /// The value as text; nothing where it is null or empty. Numbers in their shortest form.
   std::optional<std::string> text(const SourceFeature& feature) const;
 
+  /// The same in memory that is used again: the text is the feature's own, or in `buffer`.
+  std::optional<std::string_view> text(const SourceFeature& feature, std::string& buffer) const;
+
   /// The value as a number, where it is one, or a text that is one.
   std::optional<double> number(const SourceFeature& feature) const;
 

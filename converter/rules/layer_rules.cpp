@@ -38,13 +38,14 @@ class BoundRule {
   const Rule& rule() const { return *rule_; }
   bool can_match(GeometryKind layer_geometry) const;
   bool matches(const SourceFeature& feature, GeometryKind geometry) const;
-  void read(const SourceFeature& feature, Meaning& meaning) const;
+  void read(const SourceFeature& feature, SemanticScratch& scratch, Meaning& meaning) const;
   std::string explain() const;
   void append_fields(std::vector<std::string>& names) const;
 
  private:
   bool fits_geometry(GeometryKind geometry) const;
   InOut in_out(const SourceFeature& feature) const;
+  InOut in_out_named(const std::string& value) const;
   void read_direction(const SourceFeature& feature, Meaning& meaning) const;
   void read_normal(const SourceFeature& feature, Meaning& meaning) const;
   std::vector<std::pair<std::string, const BoundQuantity*>> quantities() const;
@@ -54,6 +55,7 @@ class BoundRule {
   std::vector<BoundCondition> where_;
   BoundQuantity height_, base_height_, radius_, rise_, width_, steps_, slope_, aspect_;
   std::vector<Field> in_out_;
+  InOut default_in_out_ = InOut::kOutdoor;  // where no field says it
   SemanticText semantic_, segment_semantic_;
   std::vector<Field> stair_id_, step_no_, direction_, normal_x_, normal_y_, normal_z_;
 };
@@ -80,6 +82,7 @@ BoundRule::BoundRule(const Rule& rule, const LayerInfo& layer, const RuleSetting
       normal_y_(existing_fields(layer.fields, rule.normal_y)),
       normal_z_(existing_fields(layer.fields, rule.normal_z)) {
   for (const auto& condition : rule.where) where_.emplace_back(condition, layer.fields);
+  default_in_out_ = in_out_named({});
 }
 
 bool BoundRule::fits_geometry(GeometryKind geometry) const {
@@ -99,7 +102,10 @@ bool BoundRule::matches(const SourceFeature& feature, GeometryKind geometry) con
 }
 
 InOut BoundRule::in_out(const SourceFeature& feature) const {
-  const std::string value = first_text(in_out_, feature);
+  return in_out_.empty() ? default_in_out_ : in_out_named(first_text(in_out_, feature));
+}
+
+InOut BoundRule::in_out_named(const std::string& value) const {
   const std::string word =
       value.empty() && !rule_->in_out.empty() ? rule_->in_out.back() : folded(value);
   const bool indoor =
@@ -108,6 +114,8 @@ InOut BoundRule::in_out(const SourceFeature& feature) const {
 }
 
 void BoundRule::read_direction(const SourceFeature& feature, Meaning& meaning) const {
+  meaning.direction_deg = rule_->constant_direction_deg;
+  if (direction_.empty()) return;
   const std::string word = folded(first_text(direction_, feature));
   if (word == "up") meaning.upwards = true;
   if (word == "down") meaning.upwards = false;
@@ -116,8 +124,7 @@ void BoundRule::read_direction(const SourceFeature& feature, Meaning& meaning) c
     const double steepness = std::strtod(word.c_str(), nullptr);
     if (steepness != 0.0) meaning.upwards = steepness > 0.0;
   }
-  meaning.direction_deg = first_number(direction_, feature);
-  if (!meaning.direction_deg) meaning.direction_deg = rule_->constant_direction_deg;
+  if (const auto degrees = first_number(direction_, feature)) meaning.direction_deg = degrees;
 }
 
 void BoundRule::read_normal(const SourceFeature& feature, Meaning& meaning) const {
@@ -127,8 +134,9 @@ void BoundRule::read_normal(const SourceFeature& feature, Meaning& meaning) cons
   if (x && y && z) meaning.normal = Normal{*x, *y, *z};
 }
 
-void BoundRule::read(const SourceFeature& feature, Meaning& meaning) const {
-  meaning = {};
+void BoundRule::read(const SourceFeature& feature, SemanticScratch& scratch,
+                     Meaning& meaning) const {
+  meaning.clear();
   meaning.rule = rule_;
   meaning.height_m = height_.evaluate(feature, meaning.unreadable);
   meaning.base_height_m = base_height_.evaluate(feature, meaning.unreadable);
@@ -139,12 +147,12 @@ void BoundRule::read(const SourceFeature& feature, Meaning& meaning) const {
   meaning.slope_deg = slope_.evaluate(feature, meaning.unreadable);
   meaning.aspect_deg = aspect_.evaluate(feature, meaning.unreadable);
   meaning.step_no = first_number(step_no_, feature);
-  meaning.stair_id = first_text(stair_id_, feature);
+  if (!stair_id_.empty()) meaning.stair_id = first_text(stair_id_, feature);
   meaning.in_out = in_out(feature);
   read_direction(feature, meaning);
   read_normal(feature, meaning);
-  meaning.semantic = semantic_.expand(feature, meaning.semantic_altered);
-  meaning.segment_semantic = segment_semantic_.expand(feature, meaning.semantic_altered);
+  semantic_.expand(feature, meaning.semantic_altered, scratch, meaning.semantic);
+  segment_semantic_.expand(feature, meaning.semantic_altered, scratch, meaning.segment_semantic);
 }
 
 std::vector<std::pair<std::string, const BoundQuantity*>> BoundRule::quantities() const {
@@ -195,6 +203,7 @@ void BoundRule::append_fields(std::vector<std::string>& names) const {
 
 struct LayerRules::Impl {
   std::vector<BoundRule> rules;
+  SemanticScratch scratch;
 };
 
 LayerRules::LayerRules(const RuleSet& rules, const LayerInfo& layer)
@@ -216,9 +225,9 @@ LayerRules::~LayerRules() = default;
 void LayerRules::interpret(const SourceFeature& feature, GeometryKind geometry,
                            Meaning& meaning) const {
   for (const auto& bound : impl_->rules) {
-    if (bound.matches(feature, geometry)) return bound.read(feature, meaning);
+    if (bound.matches(feature, geometry)) return bound.read(feature, impl_->scratch, meaning);
   }
-  meaning = {};
+  meaning.clear();
 }
 
 std::vector<std::string> LayerRules::fields() const {

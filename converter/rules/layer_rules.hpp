@@ -19,7 +19,8 @@ class LayerRules {
   LayerRules& operator=(LayerRules&&) noexcept;
   ~LayerRules();
 
-  /// The meaning of a feature by the first rule that fits; `meaning` is overwritten.
+  /// The meaning of a feature by the first rule that fits; `meaning` is overwritten. Uses memory of
+  /// its own, so not from several threads at once.
   void interpret(const SourceFeature& feature, GeometryKind geometry, Meaning& meaning) const;
 
   /// Fields of the layer that some rule reads; none, which means all, where obstacles that `export`

@@ -24,6 +24,23 @@ struct Meaning {
   /// Fields with values that could not be understood: "height 'abc'".
   std::vector<std::string> unreadable;
   bool semantic_altered = false;  ///< reserved characters or commas had to be replaced
+
+  /// As new, but for the memory of the texts.
+  void clear() {
+    rule = nullptr;
+    for (auto* value : {&height_m, &base_height_m, &radius_m, &rise_m, &width_m, &steps, &step_no,
+                        &direction_deg, &slope_deg, &aspect_deg}) {
+      value->reset();
+    }
+    stair_id.clear();
+    upwards.reset();
+    normal.reset();
+    in_out = InOut::kOutdoor;
+    semantic.clear();
+    segment_semantic.clear();
+    unreadable.clear();
+    semantic_altered = false;
+  }
 };
 
 }  // namespace mapwright::converter

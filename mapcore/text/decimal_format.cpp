@@ -1,6 +1,7 @@
 #include "mapcore/text/decimal_format.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -26,12 +27,13 @@ double nearest_whole(double value) {
   return (value + kNoFraction) - kNoFraction;
 }
 
-/// The numbers 0 to 999 as text, in one table: three digits each, the fourth byte tells how many
-/// remain without leading zeros, the fifth how many without trailing ones.
+/// The numbers 0 to 999 as text, in one table: three digits each, how many remain without leading
+/// zeros, and how many characters they are as thousandths, with the point and without trailing
+/// zeros.
 struct ThreeDigits {
   char digits[3];
   std::uint8_t without_leading_zeros;
-  std::uint8_t without_trailing_zeros;
+  std::uint8_t as_fraction;
 };
 
 constexpr auto three_digits_table() {
@@ -42,7 +44,7 @@ constexpr auto three_digits_table() {
     entry.digits[1] = static_cast<char>('0' + i / 10 % 10);
     entry.digits[2] = static_cast<char>('0' + i % 10);
     entry.without_leading_zeros = i >= 100 ? 3 : i >= 10 ? 2 : 1;
-    entry.without_trailing_zeros = i == 0 ? 0 : i % 100 == 0 ? 1 : i % 10 == 0 ? 2 : 3;
+    entry.as_fraction = i == 0 ? 0 : i % 100 == 0 ? 2 : i % 10 == 0 ? 3 : 4;
   }
   return table;
 }
@@ -80,11 +82,34 @@ char* write_fraction(char* out, std::uint64_t fraction, int decimals) {
   return last;
 }
 
+// Behind the whole part; may write four characters where fewer count.
 char* write_thousandths(char* out, std::uint64_t fraction) {
-  *out++ = '.';
   const auto& entry = kThreeDigits[fraction];
-  std::memcpy(out, entry.digits, 3);
-  return out + entry.without_trailing_zeros;
+  *out = '.';
+  std::memcpy(out + 1, entry.digits, 3);
+  return out + entry.as_fraction;
+}
+
+constexpr std::uint64_t kEightDigits = 100'000'000;
+
+// The digits of a number below 10^8 in a byte each, the first one lowest: fours, then twos, then
+// ones, all lanes at a time.
+std::uint64_t eight_digits(std::uint64_t number) {
+  const std::uint64_t fours = number / 10000 | number % 10000 << 32U;
+  const std::uint64_t hundreds = (fours * 10486U >> 20U) & 0x0000007F0000007FU;
+  const std::uint64_t twos = hundreds | (fours - hundreds * 100U) << 16U;
+  const std::uint64_t tens = (twos * 103U >> 10U) & 0x000F000F000F000FU;
+  return tens | (twos - tens * 10U) << 8U;
+}
+
+// Without a branch: how many digits a coordinate has, nobody can foresee.
+char* write_below_eight_digits(char* out, std::uint64_t number) {
+  constexpr std::uint64_t kLastDigit = std::uint64_t{1} << 56U;
+  const std::uint64_t digits = eight_digits(number);
+  const auto zeros = static_cast<unsigned>(std::countr_zero(digits | kLastDigit)) / 8U;
+  const std::uint64_t text = (digits | 0x3030303030303030U) >> 8U * zeros;
+  std::memcpy(out, &text, sizeof text);
+  return out + 8 - zeros;
 }
 
 }  // namespace
@@ -118,9 +143,10 @@ char* DecimalFormat::write_units(char* out, std::int64_t units) const {
   out += units < 0 ? 1 : 0;
   const auto magnitude = static_cast<std::uint64_t>(units < 0 ? -units : units);
   if (decimals_ == 3) {  // the default; a constant divisor is several times faster
-    out = write_whole(out, magnitude / 1000);
-    const std::uint64_t fraction = magnitude % 1000;
-    return fraction == 0 ? out : write_thousandths(out, fraction);
+    const std::uint64_t whole = magnitude / 1000;
+    const bool is_short = std::endian::native == std::endian::little && whole < kEightDigits;
+    out = is_short ? write_below_eight_digits(out, whole) : write_whole(out, whole);
+    return write_thousandths(out, magnitude % 1000);
   }
   out = write_whole(out, magnitude / units_per_one_);
   const std::uint64_t fraction = magnitude % units_per_one_;
@@ -145,6 +171,21 @@ double DecimalFormat::rounded(double value) const {
   double read = 0.0;
   std::from_chars(buffer, end, read);
   return read;
+}
+
+// Without whole numbers in between, so that several go at a time: where `rounded` makes one of a
+// multiple, the multiple is below 2^50 and a double holds it.
+void DecimalFormat::round(std::span<double> values) const {
+  bool is_simple = step_ == 1;
+  for (const double value : values) {
+    is_simple = is_simple & (std::abs(value * scale_) < kMostMultiples);
+  }
+  if (!is_simple) {
+    for (double& value : values) value = rounded(value);
+    return;
+  }
+  // −0 becomes 0.
+  for (double& value : values) value = (nearest_whole(value * scale_) + 0.0) / scale_;
 }
 
 }  // namespace mapwright::text

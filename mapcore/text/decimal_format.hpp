@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace mapwright::text {
 
@@ -25,6 +26,8 @@ class DecimalFormat {
 
   /// The double that reading the written number gives.
   double rounded(double value) const;
+  /// The same for many values, in place.
+  void round(std::span<double> values) const;
 
  private:
   struct Multiple {

@@ -1,8 +1,10 @@
 #include "mapcore/text/writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <charconv>
+#include <cstring>
 #include <ostream>
 #include <sstream>
 
@@ -70,21 +72,21 @@ struct MapWriter::Impl {
 
   void point(Point p) { block.advance_to(put_point(block.room_for(kPointBytes), p)); }
 
-  void semantic_and_end(const Semantic& semantic) {
-    assert(is_writable(semantic.view()));
-    block.text(text::trimmed(semantic.view()));
+  void semantic_and_end(std::string_view semantic) {
+    assert(is_writable(semantic));
+    block.text(text::trimmed(semantic));
     block.text(";\n#\n");
   }
 
-  void header(const Obstacle& obstacle) {
+  void header(std::int64_t id, ShapeType type, std::size_t segments, std::string_view semantic) {
     block.text("obstacle;\n");
     char* at = block.room_for(kHeaderBytes);
-    for (const std::int64_t number : {obstacle.id, static_cast<std::int64_t>(obstacle.shape_type),
-                                      static_cast<std::int64_t>(obstacle.segments.size())}) {
+    for (const std::int64_t number :
+         {id, static_cast<std::int64_t>(type), static_cast<std::int64_t>(segments)}) {
       at = put(std::to_chars(at, at + kIntegerBytes, number).ptr, ';');
     }
     block.advance_to(at);
-    semantic_and_end(obstacle.semantic);
+    semantic_and_end(semantic);
   }
 
   void segment(const Segment& segment) {
@@ -93,15 +95,74 @@ struct MapWriter::Impl {
     at = put(numbers.write(at, segment.height_m), ';');
     at = put(put(at, segment.in_out == InOut::kIndoor ? '0' : '1'), ';');
     block.advance_to(at);
-    semantic_and_end(segment.semantic);
+    semantic_and_end(segment.semantic.view());
+  }
+
+  // Each point is made text once and stands in two segments.
+  void chain(const ChainRecord& chain) {
+    const std::size_t last = chain.points.size() - 1;
+    header(chain.id, chain.shape_type, chain.joined ? last + 1 : last, chain.semantic);
+    set_tail(chain);
+    set_text(first, chain.points[0]);
+    const PointText* here = &first;
+    for (std::size_t i = 1; i <= last; ++i) {
+      PointText& next = others[i % 2];
+      set_text(next, chain.points[i]);
+      link(*here, next);
+      here = &next;
+    }
+    if (chain.joined) link(*here, first);
   }
 
   static constexpr std::size_t kIntegerBytes = 20;
   static constexpr std::size_t kHeaderBytes = 3 * (kIntegerBytes + 1);
   static constexpr std::size_t kPointBytes = 2 * (DecimalFormat::kMaxCharacters + 2);
 
+  struct PointText {
+    std::array<char, kPointBytes> bytes;
+    std::size_t size = 0;
+
+    void append_to(char*& at) const {
+      constexpr std::size_t kUsual = 48;  // a length the compiler knows: a few moves, no call
+      if (size <= kUsual)
+        std::memcpy(at, bytes.data(), kUsual);
+      else
+        std::memcpy(at, bytes.data(), size);
+      at += size;
+    }
+  };
+
+  void set_text(PointText& text, Point p) const {
+    text.size = static_cast<std::size_t>(put_point(text.bytes.data(), p) - text.bytes.data());
+  }
+
+  // All of a segment behind its ends.
+  void set_tail(const ChainRecord& chain) {
+    assert(is_writable(chain.segment_semantic));
+    std::array<char, DecimalFormat::kMaxCharacters> height;
+    long_tail.assign(height.data(), numbers.write(height.data(), chain.height_m));
+    long_tail += chain.in_out == InOut::kIndoor ? ";0;" : ";1;";
+    long_tail += text::trimmed(chain.segment_semantic);
+    long_tail += ";\n#\n";
+    tail.size = long_tail.size() <= kPointBytes ? long_tail.size() : 0;
+    std::copy_n(long_tail.data(), tail.size, tail.bytes.data());
+  }
+
+  void link(const PointText& a, const PointText& b) {
+    char* at = block.room_for(3 * kPointBytes);
+    a.append_to(at);
+    b.append_to(at);
+    tail.append_to(at);
+    block.advance_to(at);
+    if (tail.size == 0) block.text(long_tail);
+  }
+
   Block block;
   DecimalFormat numbers;
+  PointText first;
+  std::array<PointText, 2> others;
+  PointText tail;         // empty where it is a long one
+  std::string long_tail;  // the same, of any length
 };
 
 MapWriter::MapWriter(std::ostream& out, WriteOptions options)
@@ -117,8 +178,13 @@ void MapWriter::border(const Border& border) {
 }
 
 void MapWriter::obstacle(const Obstacle& obstacle) {
-  impl_->header(obstacle);
+  impl_->header(obstacle.id, obstacle.shape_type, obstacle.segments.size(),
+                obstacle.semantic.view());
   for (const auto& segment : obstacle.segments) impl_->segment(segment);
+}
+
+void MapWriter::obstacle(const ChainRecord& chain) {
+  impl_->chain(chain);
 }
 
 void MapWriter::finish() {

@@ -1,8 +1,10 @@
 // Writer of the map text format.
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +17,18 @@ struct WriteOptions {
   /// Coordinates and heights are rounded to multiples of this (metres, in [1e-9, 1e6]) and written
   /// with the fewest decimals that name the multiple.
   double resolution_m = tolerance::kResolution_m;
+};
+
+/// An obstacle whose segments follow each other and share all but their ends; borrowed.
+struct ChainRecord {
+  std::int64_t id = 0;
+  ShapeType shape_type = ShapeType::kClosedPolygon;
+  std::string_view semantic;
+  std::span<const Point> points;  ///< at least two
+  bool joined = false;            ///< the last point goes on to the first
+  double height_m = 0.0;
+  InOut in_out = InOut::kOutdoor;
+  std::string_view segment_semantic;
 };
 
 /// Writes the canonical layout (report, appendix A; docs/format.md), obstacle by obstacle, so that
@@ -31,6 +45,8 @@ class MapWriter {
 
   void border(const Border& border);
   void obstacle(const Obstacle& obstacle);
+  /// The same bytes as for the obstacle of these segments, several times as fast.
+  void obstacle(const ChainRecord& chain);
   /// Hands everything to the stream. The stream's state says whether it arrived.
   void finish();
 

@@ -140,6 +140,53 @@ TEST(IsolatedReader, HandsOverWhatTheReaderReads) {
   }
 }
 
+// Features of every size: many in one batch, one that fills several.
+class SizesReader : public FakeReader {
+ public:
+  SizesReader() : FakeReader(Fault::kNone) {}
+  Result<std::size_t> read(std::size_t, const ReadOptions&, const FeatureVisitor& visit) override {
+    SourceFeature feature;
+    for (int i = 0; i < kCount; ++i) {
+      fill(feature, i);
+      visit(feature);
+    }
+    return kCount;
+  }
+
+  static constexpr int kCount = 400;
+
+  static void fill(SourceFeature& feature, int i) {
+    FakeReader::fill(feature, i);
+    const std::size_t points = i % 50 == 0 ? 60000 : i % 10 == 0 ? 7500 : 1 + i % 7;
+    feature.geometry.xs.assign(points, 0.5 * i);
+    feature.geometry.ys.assign(points, -1.0 * i);
+    feature.geometry.zs.assign(i % 3 == 0 ? points : 0, 2.0 * i);
+    feature.geometry.paths = {{0, static_cast<std::uint32_t>(points), PathRole::kLine, false}};
+  }
+};
+
+TEST(IsolatedReader, HandsOverFeaturesOfAnySize) {
+  auto reader = open_isolated("site.fake", 1000, [](const DriverNotice&) -> OpenedReader {
+    return std::make_unique<SizesReader>();
+  });
+  ASSERT_TRUE(reader) << reader.error().message;
+  for (int round = 0; round < 3; ++round) {
+    int i = 0;
+    const auto count = (*reader)->read(0, {}, [&](SourceFeature& feature) {
+      SourceFeature expected;
+      SizesReader::fill(expected, i++);
+      EXPECT_EQ(feature.fid, expected.fid);
+      EXPECT_EQ(feature.values, expected.values);
+      EXPECT_TRUE(feature.geometry.xs == expected.geometry.xs) << i;
+      EXPECT_TRUE(feature.geometry.ys == expected.geometry.ys) << i;
+      EXPECT_TRUE(feature.geometry.zs == expected.geometry.zs) << i;
+      EXPECT_EQ(feature.warnings, expected.warnings);
+    });
+    ASSERT_TRUE(count) << count.error().message;
+    EXPECT_EQ(i, SizesReader::kCount);
+  }
+}
+
 TEST(IsolatedReader, HandsOverFailures) {
   auto reader = open(FakeReader::Fault::kNone);
   ASSERT_TRUE(reader);

@@ -115,5 +115,25 @@ TEST(TransformPatches, TakesEqualPointsToEqualPoints) {
   EXPECT_EQ(ys, one_ys);
 }
 
+// Cells whose sides are powers of two take points together; which ones must not matter to any.
+TEST(TransformPatches, TakesPointsTogetherAsItTakesThemOneByOne) {
+  TransformPatches together(bend, 128.0), apart(bend, 128.0);
+  std::vector<double> xs, ys;
+  Random random(6);
+  for (int i = 0; i < 3000; ++i) {
+    const bool on_edge = i % 5 == 0;
+    const double x = random.uniform(-600.0, 600.0);
+    xs.push_back(on_edge ? 128.0 * std::round(x / 128.0) : x);
+    ys.push_back(i % 3 == 0 && i > 0 ? ys.back() : random.uniform(-300.0, 300.0));
+  }
+  auto one_xs = xs, one_ys = ys;
+  together.apply(xs, ys);
+  for (std::size_t i = one_xs.size(); i-- > 0;) {
+    apart.apply(std::span(one_xs).subspan(i, 1), std::span(one_ys).subspan(i, 1));
+  }
+  EXPECT_EQ(xs, one_xs);
+  EXPECT_EQ(ys, one_ys);
+}
+
 }  // namespace
 }  // namespace mapwright::converter

@@ -52,7 +52,7 @@ Map converted(const std::filesystem::path& source) {
   options.sources = {source.string()};
   options.rules =
       converter::read_rules(std::string(converter::builtin_rules("auto")), "auto").value();
-  return converter::convert(options).value().map;
+  return converter::convert(options).value().map.whole();
 }
 
 // 0.15 m above the ground a laser meets steps, kerbs and ramps.

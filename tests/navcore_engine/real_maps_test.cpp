@@ -18,7 +18,7 @@ Map converted(const std::filesystem::path& source) {
   options.sources = {source.string()};
   options.rules =
       converter::read_rules(std::string(converter::builtin_rules("auto")), "auto").value();
-  return converter::convert(options).value().map;
+  return converter::convert(options).value().map.whole();
 }
 
 void expect_exact(const Map& map, std::size_t poses) {

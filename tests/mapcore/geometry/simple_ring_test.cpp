@@ -184,5 +184,33 @@ TEST(SimpleRing, DisagreesWithGeosOnlyWhereGeosRounds) {
   }
 }
 
+// Every turn of a pentagram is to the left, and it goes around twice.
+TEST(SimpleRing, KnowsAPentagramFromAPentagon) {
+  const std::vector<Point> pentagon{{0, -10}, {9.5, -3.1}, {5.9, 8.1}, {-5.9, 8.1}, {-9.5, -3.1}};
+  EXPECT_TRUE(is_simple_ring(pentagon));
+  std::vector<Point> pentagram;
+  for (std::size_t i = 0; i < 5; ++i) pentagram.push_back(pentagon[2 * i % 5]);
+  EXPECT_FALSE(is_simple_ring(pentagram));
+  EXPECT_FALSE(is_simple_ring(std::vector<Point>(pentagram.rbegin(), pentagram.rend())));
+  std::vector<Point> twice = pentagon;
+  twice.insert(twice.end(), pentagon.begin(), pentagon.end());
+  EXPECT_FALSE(is_simple_ring(twice));
+}
+
+// Axis-parallel edges have no direction to the left or right; small grids have every degeneracy.
+TEST(SimpleRing, AgreesWithPairsOnSmallGrids) {
+  Random random(12);
+  int simple = 0;
+  for (int round = 0; round < 40000; ++round) {
+    std::vector<Point> ring(3 + random.below(4));
+    for (Point& p : ring) {
+      p = {static_cast<double>(random.below(4)), static_cast<double>(random.below(4))};
+    }
+    ASSERT_EQ(is_simple_ring(ring), is_simple_by_pairs(ring)) << round;
+    simple += is_simple_ring(ring) ? 1 : 0;
+  }
+  EXPECT_GT(simple, 4000);
+}
+
 }  // namespace
 }  // namespace mapwright

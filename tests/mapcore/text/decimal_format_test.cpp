@@ -88,5 +88,39 @@ TEST(DecimalFormat, MillimetresReadBackExactly) {
   }
 }
 
+// Both sides of each power of ten, and of what the short way covers.
+TEST(DecimalFormat, WritesMillimetresOfAnyLength) {
+  const DecimalFormat format(0.001);
+  std::int64_t power = 1;
+  for (int digits = 0; digits < 15; ++digits, power *= 10) {
+    for (std::int64_t mm = std::max<std::int64_t>(power - 1200, 0); mm < power + 1200; ++mm) {
+      std::string expected = std::to_string(mm / 1000);
+      if (mm % 1000 != 0) {
+        expected += "." + std::to_string(1000 + mm % 1000).substr(1);
+        while (expected.back() == '0') expected.pop_back();
+      }
+      ASSERT_EQ(formatted(format, static_cast<double>(mm) / 1000.0), expected);
+      if (mm > 0) ASSERT_EQ(formatted(format, static_cast<double>(-mm) / 1000.0), "-" + expected);
+    }
+  }
+}
+
+TEST(DecimalFormat, RoundsManyAsItRoundsOne) {
+  Random random(41);
+  for (const double resolution : {1e-6, 0.001, 0.005, 1.0}) {
+    const DecimalFormat format(resolution);
+    for (const double reach : {0.002, 20000.0, 1e18}) {
+      std::vector<double> values{0.0, -0.0, -0.0004, 0.0005};
+      for (int i = 0; i < 5000; ++i) values.push_back(random.uniform(-reach, reach));
+      auto rounded = values;
+      format.round(rounded);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        ASSERT_EQ(rounded[i], format.rounded(values[i])) << values[i];
+        ASSERT_EQ(std::signbit(rounded[i]), std::signbit(format.rounded(values[i])));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mapwright::text

@@ -1,0 +1,25 @@
+// Blocks of memory that the stores of this folder are made of.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace mapwright::converter {
+
+inline constexpr std::size_t kLeastBlock = std::size_t{1} << 12U;
+
+/// Small enough to come from the heap, which keeps the pages when the block goes: what is asked for
+/// next need not touch new ones, and that costs more than filling them.
+inline constexpr std::size_t kLargestBlock = std::size_t{1} << 16U;
+
+struct ReleaseBlock {
+  void operator()(void* block) const { ::operator delete(block); }
+};
+using Block = std::unique_ptr<void, ReleaseBlock>;
+
+/// Memory that is not set.
+inline Block make_block(std::size_t bytes) {
+  return Block(::operator new(bytes));
+}
+
+}  // namespace mapwright::converter

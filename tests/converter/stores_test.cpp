@@ -1,0 +1,106 @@
+// Compact stores: lists, arenas, and chains against the obstacles they stand for.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <sstream>
+
+#include "converter/pipeline/converted_map.hpp"
+#include "converter/store/arena.hpp"
+#include "converter/store/long_list.hpp"
+#include "converter/store/small_list.hpp"
+#include "mapcore/random.hpp"
+
+namespace mapwright::converter {
+namespace {
+
+TEST(OneOrMore, HoldsAnyNumbers) {
+  constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
+  for (const std::vector<std::int64_t>& numbers :
+       {std::vector<std::int64_t>{}, {0}, {kLeast}, {7, 3}, {kLeast, 5}, {5, kLeast, -1, 5}}) {
+    OneOrMore<std::int64_t> list;
+    for (const auto number : numbers) list.push_back(number);
+    EXPECT_EQ(list.size(), numbers.size());
+    EXPECT_EQ(list.empty(), numbers.empty());
+    EXPECT_TRUE(std::equal(list.begin(), list.end(), numbers.begin(), numbers.end()));
+    list.sort();
+    EXPECT_TRUE(std::is_sorted(list.begin(), list.end()));
+  }
+}
+
+TEST(NoneOrMore, ForgetsOnRequest) {
+  NoneOrMore<std::string> list;
+  EXPECT_EQ(list.begin(), list.end());
+  list.push_back("a");
+  list.push_back("b");
+  EXPECT_EQ(list.size(), 2U);
+  EXPECT_EQ(list.front(), "a");
+  list.clear();
+  EXPECT_TRUE(list.empty());
+}
+
+TEST(LongList, KeepsAllOfIt) {
+  LongList<std::unique_ptr<int>> list;
+  for (int i = 0; i < 5000; ++i) list.push_back(std::make_unique<int>(i));
+  const auto* first = &list[0];
+  LongList<std::unique_ptr<int>> moved = std::move(list);
+  EXPECT_EQ(&moved[0], first) << "what it holds stays where it is";
+  int expected = 0;
+  for (const auto& number : moved) EXPECT_EQ(*number, expected++);
+  EXPECT_EQ(expected, 5000);
+}
+
+TEST(Arena, HandsOutRoomThatNobodyElseHas) {
+  Arena<int> arena;
+  Random random(4);
+  std::vector<std::pair<int*, std::size_t>> pieces;
+  for (int i = 0; i < 3000; ++i) {
+    const std::size_t count = random.below(50) + (i % 500 == 0 ? 1'000'000 : 0);
+    int* const room = arena.take(count + 3);
+    arena.give_back(3);
+    std::fill(room, room + count, i);
+    pieces.emplace_back(room, count);
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto [room, count] = pieces[i];
+    ASSERT_TRUE(std::all_of(room, room + count, [&](int n) { return n == static_cast<int>(i); }));
+  }
+}
+
+// The text of a map of chains is the text of the map of segments.
+TEST(ConvertedMap, WritesWhatItsObstaclesAre) {
+  Random random(9);
+  PlainObstacles plain;
+  const std::string texts[] = {"building", "wall,name=Plaça", ""};
+  for (int i = 0; i < 2000; ++i) {
+    PlainObstacle chain;
+    chain.count = static_cast<std::uint32_t>(2 + random.below(6));
+    chain.points = plain.room_for(chain.count);
+    for (Point& p : chain.chain()) {
+      const double reach = i % 7 == 0 ? 1e14 : 3000.0;
+      p = {random.uniform(-reach, reach), random.uniform(-reach, reach)};
+    }
+    chain.joined = chain.count > 2 && random.below(2) == 0;
+    chain.is_inner = i > 0 && chain.joined && random.below(4) == 0;
+    chain.shape_type = chain.joined ? ShapeType::kClosedPolygon : ShapeType::kOpenPolygon;
+    chain.height_m = random.uniform(0.0, 20.0);
+    chain.id = i + 1;
+    plain.add(chain, FeatureKind::kSolid, 0, texts[random.below(3)],
+              random.below(2) == 0 ? InOut::kIndoor : InOut::kOutdoor, texts[random.below(3)]);
+  }
+  const std::size_t count = plain.all().size();
+  ConvertedMap map(std::move(plain), {}, {{true, 0, count}});
+  map.border = {-1, 1, 1, -1};
+  const Map whole = map.whole();
+  EXPECT_EQ(whole.obstacles.size(), count);
+  EXPECT_EQ(map.segment_count(), segment_count(whole));
+  EXPECT_EQ(map.extent().max_x, extent(whole).max_x);
+  for (const double resolution : {0.001, 0.01, 1e-6}) {
+    std::ostringstream text;
+    map.write(text, {resolution});
+    EXPECT_TRUE(text.str() == format_map(whole, {resolution})) << resolution;
+  }
+}
+
+}  // namespace
+}  // namespace mapwright::converter
