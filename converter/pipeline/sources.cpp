@@ -205,18 +205,6 @@ Failure no_degrees(const LayerJob& job, const std::vector<double>& xs,
                                    " are no longitudes and latitudes" + advice};
 }
 
-Result<void> read_builtin_rules(OpenedSources& opened) {
-  const std::pair<const char*, RuleSet*> sets[] = {{"osm", &opened.osm_rules},
-                                                   {"indoorgml", &opened.indoor_rules},
-                                                   {"mapwright", &opened.mapwright_rules}};
-  for (const auto& [name, target] : sets) {
-    auto rules = read_rules(std::string(builtin_rules(name)), name);
-    if (!rules) return tl::unexpected(rules.error());
-    *target = *std::move(rules);
-  }
-  return {};
-}
-
 double tidy(double degrees) {
   return std::round(degrees * 1e7) / 1e7;
 }
