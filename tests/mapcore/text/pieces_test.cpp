@@ -92,11 +92,10 @@ TEST(Pieces, KeepWhatIsNotTextOut) {
   const std::size_t at = kPiece + 10 * TextIndex::kBlockBytes;
   text.replace(at, 5000, std::string(5000, '\x01'));
   const MapDocument document = read_map(text);
-  ASSERT_FALSE(document.findings.empty());
-  EXPECT_EQ(document.findings.front().code, FindingCode::F102);
-  for (const auto& finding : document.findings) {
-    EXPECT_LE(document.index.offset_at(document.text, *finding.place), at + 1);
-  }
+  ASSERT_EQ(document.findings.size(), 2U);  // the obstacle that is cut, and where
+  EXPECT_EQ(document.findings[0].code, FindingCode::F113);
+  EXPECT_EQ(document.findings[1].code, FindingCode::F102);
+  EXPECT_EQ(document.index.offset_at(document.text, *document.findings[1].place), at);
 }
 
 }  // namespace
