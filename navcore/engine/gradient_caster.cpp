@@ -162,4 +162,32 @@ void GradientCaster::cast_all(std::span<const Pose> poses, const LaserModel& las
   }
 }
 
+struct GradientCaster::Local::State {
+  const Impl& ground;
+  const LaserModel& laser;
+  BearingFan fan;
+  Nearby nearby;
+  Tracer tracer;
+  Box box = kEmptyBox;  ///< poses in it see nothing but `nearby`
+
+  State(const Impl& impl, const LaserModel& model)
+      : ground(impl), laser(model), fan(model), tracer(nearby, laser, fan) {}
+};
+
+GradientCaster::Local::Local(const GradientCaster& caster, const LaserModel& laser)
+    : state_(std::make_unique<State>(*caster.impl_, laser)) {}
+GradientCaster::Local::~Local() = default;
+
+void GradientCaster::Local::cast(const Pose& pose, std::span<RangeGradient> gradients) {
+  assert(gradients.size() == state_->laser.rays);
+  State& state = *state_;
+  const Point p = pose.position();
+  if (state.box.is_empty() || !state.box.contains(p)) {
+    state.box = Box{p.x, p.y, p.x, p.y}.inflated(0.5 * kTogether_m);
+    state.nearby = gather(state.ground.scene, state.box.inflated(state.laser.max_range_m),
+                          state.laser.height_m);
+  }
+  state.tracer.trace(pose, gradients);
+}
+
 }  // namespace mapwright::navcore

@@ -43,6 +43,23 @@ class GradientCaster {
   void cast_all(std::span<const Pose> poses, const LaserModel& laser,
                 std::span<RangeGradient> gradients) const;
 
+  /// Casts from poses that stay about one place: what they look at is looked for once, and again
+  /// when a pose has left. The numbers are those of `cast`. For one thread.
+  class Local {
+   public:
+    /// Keeps references to caster and laser.
+    Local(const GradientCaster& caster, const LaserModel& laser);
+    Local(const Local&) = delete;
+    Local& operator=(const Local&) = delete;
+    ~Local();
+
+    void cast(const Pose& pose, std::span<RangeGradient> gradients);
+
+   private:
+    struct State;
+    std::unique_ptr<State> state_;
+  };
+
  private:
   struct Impl;
   std::unique_ptr<const Impl> impl_;
