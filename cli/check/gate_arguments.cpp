@@ -20,6 +20,8 @@ void declare_gate_options(po::options_description& options) {
   add("trials", text("10"), "localization runs from random places; 0: none");
   add("min-converged", text("0.8"),
       "share of the localization runs, from 0 to 1, that must find their place (else N104)");
+  add("localizability", text("1000"),
+      "places, spread over the map, at which to look what a scan can tell (N107, N108); 0: none");
   add("min-unreachable", text("1"), "smallest area, in m², that N102 reports as out of reach");
   declare_laser_options(options);
   add("seed", text("1"), "of the random numbers, a whole number");
@@ -34,6 +36,8 @@ validators::GateOptions gate_options(const po::variables_map& values) {
   options.min_converged = number_option(values, "min-converged", 0.0, 1.0);
   robot.plans = parse_integer("plans", text("plans"), 0, 1'000'000);
   robot.localization_trials = parse_integer("trials", text("trials"), 0, 1'000'000);
+  robot.localizability_places =
+      parse_integer("localizability", text("localizability"), 0, 1'000'000);
   robot.localization.laser = laser_model(values);
   robot.seed = parse_integer("seed", text("seed"));
   if (text("ramps") != "free" && text("ramps") != "avoid") {

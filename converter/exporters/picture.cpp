@@ -68,6 +68,7 @@ void draw_panel(Canvas& canvas, const View& view, const Map& map, const std::vec
                 const Overlay& overlay, const PictureOptions& options) {
   canvas.clip(view.panel);
   draw_ground(canvas, view, map.border);
+  if (overlay.field) draw_field(canvas, view, *overlay.field);
   draw_shapes(canvas, view, shapes);
   if (options.orientation_ticks) draw_orientation_ticks(canvas, view, shapes);
   draw_border(canvas, view, map.border);

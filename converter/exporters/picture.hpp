@@ -1,6 +1,7 @@
 // Pictures of a map: SVG, PNG and PDF.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -87,8 +88,17 @@ struct LegendEntry {
   std::string text;
 };
 
+/// Coloured squares under the obstacles: what a quantity is all over the map.
+struct ColourField {
+  Point corner;  ///< lower left, map frame
+  double cell_m = 1.0;
+  std::size_t columns = 0;
+  std::vector<Colour> colours;  ///< row by row from the lower left; opacity 0: nothing
+};
+
 struct Overlay {
-  std::vector<OverlayItem> items;  ///< drawn in this order
+  std::optional<ColourField> field;  ///< drawn first, under the obstacles
+  std::vector<OverlayItem> items;    ///< drawn in this order
   std::vector<LegendEntry> legend;
 };
 

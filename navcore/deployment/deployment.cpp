@@ -1,5 +1,8 @@
 #include "navcore/deployment/deployment.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace mapwright::navcore {
 namespace {
 
@@ -13,6 +16,29 @@ ReachabilityOutcome reachability_of(const TravelAreas& areas, const PlaceFinder&
           areas.planner().offset_error().elsewhere_m,
           cut_off_places(finder, areas, radius_m),
           finder.places().size()};
+}
+
+// What a few cells say by chance is no finding.
+constexpr double kLeastCells = 4.0;
+constexpr double kLeastCell_m = 1.0;
+
+LocalizabilityOutcome localizability_of(const Map& map, const FreeSpace& space,
+                                        const DeploymentSettings& settings) {
+  LocalizabilitySettings asked;
+  asked.laser = settings.localization.laser;
+  asked.cell_m = std::max(
+      kLeastCell_m,
+      std::sqrt(map.border.area_m2() / static_cast<double>(settings.localizability_places)));
+  asked.twin_spacing_m = std::max(2.0, asked.cell_m);
+  asked.twin_index_poses = 20 * settings.localizability_places;
+  asked.robot_radius_m = settings.robot_radius_m;
+  asked.threads = settings.threads;
+  WeaknessLimits limits = settings.weakness;
+  limits.min_area_m2 = std::max(limits.min_area_m2, kLeastCells * asked.cell_m * asked.cell_m);
+  LocalizabilityOutcome outcome{localizability_field(map, space, asked), {}, {}};
+  outcome.areas = weak_areas(outcome.field, limits);
+  outcome.summary = summary_of(outcome.field, limits);
+  return outcome;
 }
 
 }  // namespace
@@ -39,6 +65,9 @@ DeploymentOutcome run_deployment(const Map& map, const DeploymentSettings& setti
     localization.robot_radius_m = settings.robot_radius_m;
     outcome.localization = run_localization_trials(
         map, space, localization, settings.localization_trials, settings.seed, settings.threads);
+  }
+  if (settings.localizability_places > 0) {
+    outcome.localizability = localizability_of(map, space, settings);
   }
   return outcome;
 }

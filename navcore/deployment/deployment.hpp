@@ -12,15 +12,18 @@
 #include "navcore/deployment/localization_trials.hpp"
 #include "navcore/deployment/planning_trials.hpp"
 #include "navcore/exact/travel_areas.hpp"
+#include "navcore/localizability/localizability.hpp"
 
 namespace mapwright::navcore {
 
 struct DeploymentSettings {
   double robot_radius_m = 0.3;
   RampPolicy ramps = RampPolicy::kFree;
-  std::size_t plans = 20;                ///< 0: no planning trials
-  std::size_t localization_trials = 10;  ///< 0: none
-  ExperimentSettings localization;       ///< its robot radius is the one above
+  std::size_t plans = 20;                 ///< 0: no planning trials
+  std::size_t localization_trials = 10;   ///< 0: none
+  ExperimentSettings localization;        ///< its robot radius is the one above
+  std::size_t localizability_places = 0;  ///< looked at, about: spread over the border; 0: none
+  WeaknessLimits weakness;                ///< of their areas; those of a few cells are passed over
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< 0: one a core. The outcome does not depend on it
 };
@@ -36,17 +39,26 @@ struct ReachabilityOutcome {
   std::size_t places = 0;                   ///< named places of the map, all of them
 };
 
+/// How well the robot can know its place, on a grid as coarse as was asked for.
+struct LocalizabilityOutcome {
+  LocalizabilityField field;
+  std::vector<WeakArea> areas;
+  LocalizabilitySummary summary;
+};
+
 /// What came of it. What was not run is absent.
 struct DeploymentOutcome {
   std::string failure;  ///< why nothing could be run (ExactPlanner::build); empty where it could
   ReachabilityOutcome reachability;
   std::optional<PlanningTrials> planning;
   std::optional<LocalizationTrials> localization;
+  std::optional<LocalizabilityOutcome> localizability;
 };
 
 /// The areas the robot can travel and the named places it cannot get to, planning between random
-/// places of the largest area, and global localization from random places. Nothing is planned or
-/// localized where the robot can stand nowhere. Requires robot_radius_m ≥ 0.
+/// places of the largest area, global localization from random places, and what a scan can tell
+/// all over the map. Nothing is planned or localized where the robot can stand nowhere. Requires
+/// robot_radius_m ≥ 0.
 DeploymentOutcome run_deployment(const Map& map, const DeploymentSettings& settings);
 
 }  // namespace mapwright::navcore

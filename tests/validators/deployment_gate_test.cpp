@@ -108,8 +108,37 @@ TEST(DeploymentGate, FixturesTriggerAndNearMissesDoNot) {
   EXPECT_EQ(codes_of("N106.ok.txt"), Codes{});
 }
 
+// What scans can tell: only where it is asked for.
+TEST(DeploymentGate, FixturesOfLocalizability) {
+  GateOptions options = quick();
+  options.deployment.plans = 0;
+  options.deployment.localizability_places = 1000;
+  const auto codes_of = [&](const std::string& name) {
+    return codes(check_deployment(read_map(fixture(name)), options).findings);
+  };
+  EXPECT_EQ(codes_of("N107.txt"), Codes{"N107"});
+  EXPECT_EQ(codes_of("N107.ok.txt"), Codes{});
+  EXPECT_EQ(codes_of("N108.txt"), (Codes{"N108", "N108"}));
+  EXPECT_EQ(codes_of("N108.ok.txt"), Codes{});
+}
+
+TEST(DeploymentGate, N107SaysWhereAlongWhichDirectionAndForHowLong) {
+  GateOptions options = quick();
+  options.deployment.localizability_places = 1000;
+  const auto outcome = check_deployment(read_map(fixture("N107.txt")), options);
+  ASSERT_EQ(codes(outcome.findings), Codes{"N107"});
+  const Finding& finding = outcome.findings.front();
+  ASSERT_TRUE(finding.at.has_value());
+  EXPECT_TRUE(Box({25, 0, 35, 3}).contains(*finding.at));
+  EXPECT_NE(finding.message.find("along direction 0°"), std::string::npos) << finding.message;
+  EXPECT_NE(finding.message.find("odometry for 3"), std::string::npos) << finding.message;
+  ASSERT_EQ(finding.geometry.areas.size(), 1U);
+  ASSERT_TRUE(outcome.deployment->localizability.has_value());
+}
+
 TEST(DeploymentGate, PagesShowTheFixtures) {
-  for (const auto code : {FindingCode::N105, FindingCode::N106}) {
+  for (const auto code :
+       {FindingCode::N105, FindingCode::N106, FindingCode::N107, FindingCode::N108}) {
     for (const auto* ending : {".txt", ".ok.txt"}) {
       const std::string text = fixture(std::string(finding_type(code).id) + ending);
       EXPECT_NE(check_page(code).find("```\n" + text + "```\n"), std::string::npos) << ending;

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <string>
 
 #include "validators/deployment/blame.hpp"
 #include "validators/deployment/deployment_gate.hpp"
+#include "validators/deployment/localizability_findings.hpp"
 #include "validators/wording.hpp"
 
 namespace mapwright::validators {
@@ -169,6 +171,11 @@ std::vector<Finding> deployment_findings(const MapDocument& document,
   add_cut_off_places(document, outcome, findings);
   if (outcome.planning) add_missed_plans(*outcome.planning, findings);
   if (outcome.localization) add_lost_runs(*outcome.localization, options.min_converged, findings);
+  if (outcome.localizability) {
+    auto weak =
+        localizability_findings(outcome.localizability->field, outcome.localizability->areas);
+    std::move(weak.begin(), weak.end(), std::back_inserter(findings));
+  }
   return findings;
 }
 

@@ -20,7 +20,7 @@ struct GateOptions {
 };
 
 struct GateOutcome {
-  std::vector<Finding> findings;  ///< of validation, then of navigation (N101 to N106)
+  std::vector<Finding> findings;  ///< of validation, then of navigation (N101 to N108)
   /// Absent where the border cannot be used: there is no map to navigate in then. With a failure
   /// where the map is beyond what can be computed (an obstacle 500 km away).
   std::optional<navcore::DeploymentOutcome> deployment;
@@ -32,13 +32,13 @@ struct GateOutcome {
 /// Runs all checks, then the robot. Deterministic for any number of threads.
 GateOutcome check_deployment(const MapDocument& document, const GateOptions& options);
 
-/// Findings N101 to N106. Where a gap is to blame, the message names both obstacles that make it,
+/// Findings N101 to N108. Where a gap is to blame, the message names both obstacles that make it,
 /// and the finding has the place in the text of the first. `document` is what was run.
 std::vector<Finding> deployment_findings(const MapDocument& document,
                                          const navcore::DeploymentOutcome& outcome,
                                          const GateOptions& options);
 
-/// "localization", "planning" and "reachability" of a report (docs/cli.md), null where not run, and
+/// "localization", "localizability" (where asked for), "planning" and "reachability" of a report (docs/cli.md), null where not run, and
 /// the verdict in words.
 std::vector<ReportSection> deployment_sections(const GateOutcome& outcome,
                                                const GateOptions& options);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -32,6 +33,26 @@ ReportSection localization_section(const navcore::LocalizationTrials& trials) {
           formatted("localization: %zu of %zu runs converged, position error %.3f m (median), "
                     "%.3f m (95 of 100)",
                     trials.converged, trials.trials, trials.median_error_m, trials.p95_error_m)};
+}
+
+Json known(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+ReportSection localizability_section(const navcore::LocalizabilityOutcome& outcome) {
+  const auto& accuracy = outcome.summary.edges_median_m;
+  Json json;
+  json["places"] = outcome.summary.places;
+  json["cell_m"] = outcome.field.grid.cell_m;
+  json["position_sd_m"]["median"] = known(accuracy.median);
+  json["position_sd_m"]["p95"] = known(accuracy.p95);
+  json["inaccurate_share"] = accuracy.share_above;
+  json["confusable_share"] = outcome.summary.risk_median.share_above;
+  return {"localizability", json.dump(),
+          formatted("localizability: a scan tells the position to %.3f m (median of %zu places); "
+                    "not well enough on %.1f %%, mistakable on %.1f %%",
+                    accuracy.median, outcome.summary.places, 100.0 * accuracy.share_above,
+                    100.0 * outcome.summary.risk_median.share_above)};
 }
 
 ReportSection planning_section(const navcore::PlanningTrials& trials) {
@@ -159,6 +180,7 @@ std::vector<ReportSection> deployment_sections(const GateOutcome& outcome,
   const DeploymentOutcome& run = has_run ? *outcome.deployment : none;
   sections.push_back(run.localization ? localization_section(*run.localization)
                                       : not_run("localization", why));
+  if (run.localizability) sections.push_back(localizability_section(*run.localizability));
   sections.push_back(run.planning ? planning_section(*run.planning) : not_run("planning", why));
   sections.push_back(has_run ? reachability_section(run.reachability, options.min_unreachable_m2,
                                                     outcome.obstacle_ids)

@@ -145,6 +145,28 @@ void draw_overlay(Canvas& canvas, const View& view, const std::vector<OverlayIte
   for (const auto& item : items) std::visit(drawer, item);
 }
 
+// Runs of cells of one colour are one box. Boxes reach a little into the next, so that no seam
+// shows where a boundary falls between pixels.
+void draw_field(Canvas& canvas, const View& view, const ColourField& field) {
+  constexpr double kOverlap_pt = 0.2;
+  for (std::size_t i = 0; i < field.colours.size();) {
+    const std::size_t row = i / field.columns;
+    std::size_t end = i + 1;
+    while (end < (row + 1) * field.columns && field.colours[end] == field.colours[i]) ++end;
+    if (field.colours[i].opacity > 0.0) {
+      const auto at = [&](std::size_t cell, std::size_t above) {
+        return view.to_page({field.corner.x + field.cell_m * static_cast<double>(cell),
+                             field.corner.y + field.cell_m * static_cast<double>(row + above)});
+      };
+      const Point low = at(i - row * field.columns, 0);
+      const Point high = at(end - row * field.columns, 1);
+      canvas.add_box({low.x, high.y - kOverlap_pt, high.x + kOverlap_pt, low.y});
+      canvas.fill(field.colours[i]);
+    }
+    i = end;
+  }
+}
+
 void draw_sample(Canvas& canvas, const Box& box, const OverlayItem& item) {
   Sampler sampler(canvas, box);
   std::visit(sampler, item);

@@ -10,6 +10,8 @@ namespace mapwright::converter {
 
 void draw_overlay(Canvas& canvas, const View& view, const std::vector<OverlayItem>& items);
 
+void draw_field(Canvas& canvas, const View& view, const ColourField& field);
+
 /// The item drawn small, for the legend: `box` is the room it has on the page.
 void draw_sample(Canvas& canvas, const Box& box, const OverlayItem& item);
 
