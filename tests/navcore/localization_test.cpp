@@ -100,10 +100,10 @@ TEST_F(Localization, TracksFromAKnownPose) {
 TEST_F(Localization, LooksSharplyOnceSettled) {
   ExperimentSettings settings = small(robust_settings());
   settings.start_known = true;
-  settings.iterations = 12;
-  const auto sharp = run_trials(space_, caster_, weigher_, settings, 12, 1, 2);
+  settings.iterations = 8;
+  const auto sharp = run_trials(space_, caster_, weigher_, settings, 5, 1, 2);
   settings.filter.settled_share = 2.0;
-  const auto blunt = run_trials(space_, caster_, weigher_, settings, 12, 1, 2);
+  const auto blunt = run_trials(space_, caster_, weigher_, settings, 5, 1, 2);
   ASSERT_TRUE(sharp && blunt);
   const auto median_m = [](const std::vector<ExperimentRun>& runs) {
     std::vector<double> errors_m;
