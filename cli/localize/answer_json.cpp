@@ -1,3 +1,4 @@
+#include <cmath>
 #include <ostream>
 
 #include "cli/localize/answer_json.hpp"
@@ -27,11 +28,18 @@ Json settings_json(const LocalizeQuestion& question) {
   json["temper"] = settings.filter.temper;
   json["compass_error_deg"] =
       settings.heading_known ? Json(settings.compass_error_deg) : Json(nullptr);
+  json["known_start"] = settings.start_known;
   json["seed"] = question.seed;
   return json;
 }
 
-Json iteration_json(const navcore::IterationRecord& iteration) {
+// Infinite, where nothing tells the position: null.
+Json bound_json(double bound_m) {
+  return std::isfinite(bound_m) ? Json(bound_m) : Json(nullptr);
+}
+
+Json iteration_json(const navcore::IterationRecord& iteration,
+                    const navcore::AccuracyBound& bound) {
   const auto& estimate = iteration.estimate;
   Json json;
   json["n"] = iteration.n;
@@ -44,6 +52,8 @@ Json iteration_json(const navcore::IterationRecord& iteration) {
   json["mode_spread_m"] = estimate.mode_spread_m;
   json["believes_converged"] = iteration.believes;
   json["truth_advantage"] = iteration.truth_advantage;
+  json["truth_share"] = iteration.truth_share;
+  json["position_bound_m"] = bound_json(navcore::position_bound_m(bound));
   json["estimate"] = pose_json(estimate.pose);
   json["true_pose"] = pose_json(iteration.true_pose);
   if (iteration.particles.size() == 0) return json;
@@ -73,8 +83,27 @@ Json run_summary_json(const navcore::ExperimentRun& run) {
   json["position_error_m"] = last.position_error_m;
   json["heading_error_deg"] = last.heading_error.degrees();
   json["truth_advantage"] = run.truth_advantage();
+  json["truth_share"] = last.truth_share;
   json["estimate"] = pose_json(last.estimate.pose);
   json["true_pose"] = pose_json(last.true_pose);
+  return json;
+}
+
+Json reliability_json(const navcore::TrialSummary::Reliability& row) {
+  Json json;
+  json["from_share"] = row.from_share;
+  json["iterations"] = row.iterations;
+  json["mean_share"] = row.mean_share;
+  json["right"] = row.right;
+  return json;
+}
+
+Json tracking_json(const navcore::BoundSummary& tracking) {
+  Json json;
+  json["position_error_m"] = spread_json(tracking.error_m);
+  json["rms_error_m"] = tracking.rms_error_m;
+  json["rms_bound_m"] = tracking.rms_bound_m;
+  json["rms_ratio"] = tracking.rms_error_m / tracking.rms_bound_m;
   return json;
 }
 
@@ -97,7 +126,8 @@ Json spread_json(const std::optional<navcore::MedianAndP95>& spread) {
 }
 
 void write_run_json(std::ostream& out, const LocalizeQuestion& question,
-                    const navcore::ExperimentRun& run) {
+                    const navcore::ExperimentRun& run,
+                    const std::vector<navcore::AccuracyBound>& bounds) {
   Json json;
   json["schema"] = "mapwright.localize/1";
   json["converged"] = run.converged();
@@ -105,7 +135,7 @@ void write_run_json(std::ostream& out, const LocalizeQuestion& question,
   json["estimate"] = pose_json(run.iterations.back().estimate.pose);
   json["iterations"] = Json::array();
   for (const auto& iteration : run.iterations) {
-    json["iterations"].push_back(iteration_json(iteration));
+    json["iterations"].push_back(iteration_json(iteration, bounds[iteration.n - 1]));
   }
   json["settings"] = settings_json(question);
   out << json.dump() << '\n';
@@ -113,12 +143,22 @@ void write_run_json(std::ostream& out, const LocalizeQuestion& question,
 
 void write_trials_json(std::ostream& out, const LocalizeQuestion& question,
                        const std::vector<navcore::ExperimentRun>& runs,
-                       const navcore::TrialSummary& summary) {
+                       const TrialsAnswer& answer) {
+  const navcore::TrialSummary& summary = answer.summary;
   Json json;
   json["schema"] = "mapwright.localize/1";
   json["trials"] = summary.trials;
   json["converged"] = summary.converged;
   json["mistaken"] = summary.mistaken;
+  json["depleted"] = summary.depleted;
+  json["alike"] = summary.alike;
+  json["believed_iterations"] = summary.sure;
+  json["believed_rightly"] = summary.sure_right;
+  json["reliability"] = Json::array();
+  for (const auto& row : summary.reliability) {
+    json["reliability"].push_back(reliability_json(row));
+  }
+  json["tracking"] = answer.tracking ? tracking_json(*answer.tracking) : Json(nullptr);
   json["iterations_to_converge"] = spread_json(summary.iterations_to_converge);
   json["position_error_m"] = spread_json(summary.position_error_m);
   json["after"] = Json::array();

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "navcore/localization/experiment.hpp"
+#include "navcore/localization/sequential_bound.hpp"
 #include "navcore/localization/trial_summary.hpp"
 
 namespace mapwright::cli {
@@ -17,13 +19,22 @@ struct LocalizeQuestion {
   std::uint64_t seed = 1;
 };
 
+/// `bounds`: of the run's iterations.
 void write_run_json(std::ostream& out, const LocalizeQuestion& question,
-                    const navcore::ExperimentRun& run);
-void write_run_text(std::ostream& out, const navcore::ExperimentRun& run);
+                    const navcore::ExperimentRun& run,
+                    const std::vector<navcore::AccuracyBound>& bounds);
+void write_run_text(std::ostream& out, const navcore::ExperimentRun& run,
+                    const std::vector<navcore::AccuracyBound>& bounds);
+
+/// What trials came to.
+struct TrialsAnswer {
+  navcore::TrialSummary summary;
+  std::optional<navcore::BoundSummary> tracking;  ///< of runs that start from a known pose
+};
 
 void write_trials_json(std::ostream& out, const LocalizeQuestion& question,
-                       const std::vector<navcore::ExperimentRun>& runs,
-                       const navcore::TrialSummary& summary);
-void write_trials_text(std::ostream& out, const navcore::TrialSummary& summary);
+                       const std::vector<navcore::ExperimentRun>& runs, const TrialsAnswer& answer);
+void write_trials_text(std::ostream& out, const std::vector<navcore::ExperimentRun>& runs,
+                       const TrialsAnswer& answer);
 
 }  // namespace mapwright::cli

@@ -23,7 +23,9 @@ about a metre, scans again, and so on; particles spread over all free space gath
 agree with the map. With --initial-pose the filter starts there instead: position tracking.
 
 --trials N runs N experiments from random places with room to drive and answers with shares and
-errors after 1, 2, 4, ... iterations.
+errors after 1, 2, 4, ... iterations, with how far the filter was right when it said so, and which
+runs were wrong: the true place lost, or places alike. With --known-start they track; position errors are
+set against the sequential Fisher bound, which no filter beats (docs/localization.md).
 
 --likelihood report is the report's filter to the letter; the default, robust, is explained in
 docs/localization.md and finds its place far more often.
@@ -35,6 +37,7 @@ Examples:
   mapwright localize campus.txt --pose 40,30,90 --initial-pose 40.5,29.5,85 --particles 1000
   mapwright localize campus.txt --trials 100 --seed 1
   mapwright localize campus.txt --trials 100 --likelihood report
+  mapwright localize campus.txt --trials 100 --known-start --particles 2000
 
 With --log the robot is a recorded one: scans of a CARMEN log, odometry of a table. Where the table has
 a reference, the error of each scan is told; --windows runs over many stretches.
@@ -67,10 +70,12 @@ class Localize : public Verb {
   void declare_filter_options(po::options_description& options);
   void configure_start(const po::variables_map& values);
   void configure_filter(const po::variables_map& values);
-  ExitStatus run_once(const navcore::FreeSpace& space, const RayEngine& engine,
+  ExitStatus run_once(const Map& map, const navcore::FreeSpace& space, const RayEngine& engine,
                       Console& console) const;
-  ExitStatus run_often(const navcore::FreeSpace& space, const RayEngine& engine,
+  ExitStatus run_often(const Map& map, const navcore::FreeSpace& space, const RayEngine& engine,
                        Console& console) const;
+  std::optional<navcore::BoundSummary> tracking(
+      const Map& map, const std::vector<navcore::ExperimentRun>& runs) const;
 
   std::string map_path_;
   std::optional<RecordedQuestion> recorded_;  ///< with --log
@@ -101,8 +106,10 @@ void Localize::declare(po::options_description& options,
   add("robot-radius", text("0.4"), "of the driving robot, in metres");
   add("initial-pose", po::value<std::string>(),
       "track: where the filter believes to start, x,y in metres, heading in degrees");
+  add("known-start", "with --trials: track; the filter believes to start near the truth");
   add("initial-error", text("0.5,5"),
-      "with --initial-pose: standard deviations of that belief, metres and degrees");
+      "with --initial-pose or --known-start: standard deviations of that belief, metres and "
+      "degrees");
   declare_laser_options(options);
   declare_noise_options(options, "laser-noise", "0.05");
   declare_filter_options(options);
@@ -168,6 +175,15 @@ void Localize::configure_start(const po::variables_map& values) {
   if ((values.count("pose") > 0) == (values.count("trials") > 0)) {
     fail_usage("needs one of --pose X,Y,DEG, --trials N and --log FILE");
   }
+  settings.start_known = values.count("known-start") > 0;
+  if (settings.start_known && values.count("trials") == 0) {
+    fail_usage("--known-start needs --trials; with --pose give --initial-pose");
+  }
+  const auto error =
+      parse_numbers("initial-error", values["initial-error"].as<std::string>(), 2, 2);
+  if (error[0] < 0.0 || error[1] < 0.0) fail_usage("--initial-error: must not be negative");
+  settings.initial_sigma_m = error[0];
+  settings.initial_sigma_deg = error[1];
   if (values.count("trials") > 0) {
     if (values.count("initial-pose") > 0) fail_usage("--initial-pose needs --pose, not --trials");
     if (settings.keep_particles) fail_usage("--with-particles needs --pose, not --trials");
@@ -177,11 +193,6 @@ void Localize::configure_start(const po::variables_map& values) {
   pose_ = parse_pose("pose", values["pose"].as<std::string>());
   if (values.count("initial-pose") == 0) return;
   settings.initial_pose = parse_pose("initial-pose", values["initial-pose"].as<std::string>());
-  const auto error =
-      parse_numbers("initial-error", values["initial-error"].as<std::string>(), 2, 2);
-  if (error[0] < 0.0 || error[1] < 0.0) fail_usage("--initial-error: must not be negative");
-  settings.initial_sigma_m = error[0];
-  settings.initial_sigma_deg = error[1];
 }
 
 void Localize::configure_filter(const po::variables_map& values) {
@@ -220,36 +231,50 @@ ExitStatus Localize::run(Console& console) {
   }
   const navcore::FreeSpace space(document.map);
   const RayEngine engine(document.map, engine_);
-  if (!pose_) return run_often(space, engine, console);
+  if (!pose_) return run_often(document.map, space, engine, console);
   const auto reason = why_not_standing(document.map, space, pose_->position(), 0.0, "--pose");
   if (reason) fail_usage(*reason);
-  return run_once(space, engine, console);
+  return run_once(document.map, space, engine, console);
 }
 
-ExitStatus Localize::run_once(const navcore::FreeSpace& space, const RayEngine& engine,
-                              Console& console) const {
+ExitStatus Localize::run_once(const Map& map, const navcore::FreeSpace& space,
+                              const RayEngine& engine, Console& console) const {
   navcore::ExperimentSettings settings = question_.settings;
   settings.filter.threads = threads_;
   const auto run = value_or_throw(navcore::run_experiment(space, engine.caster(), engine.weigher(),
                                                           settings, *pose_, question_.seed));
+  const auto bounds = navcore::sequential_bounds(navcore::GradientCaster(map), settings, run);
   if (json_) {
-    write_run_json(console.out(), question_, run);
+    write_run_json(console.out(), question_, run, bounds);
   } else {
-    write_run_text(console.out(), run);
+    write_run_text(console.out(), run, bounds);
   }
   return run.converged() ? ExitStatus::kSuccess : ExitStatus::kNegative;
 }
 
-ExitStatus Localize::run_often(const navcore::FreeSpace& space, const RayEngine& engine,
-                               Console& console) const {
+std::optional<navcore::BoundSummary> Localize::tracking(
+    const Map& map, const std::vector<navcore::ExperimentRun>& runs) const {
+  if (!question_.settings.tracks()) return std::nullopt;
+  const navcore::GradientCaster caster(map);
+  std::vector<std::vector<navcore::AccuracyBound>> bounds;
+  for (const auto& run : runs) {
+    bounds.push_back(navcore::sequential_bounds(caster, question_.settings, run));
+  }
+  return navcore::summarize_bounds(runs, bounds);
+}
+
+ExitStatus Localize::run_often(const Map& map, const navcore::FreeSpace& space,
+                               const RayEngine& engine, Console& console) const {
   const auto runs = value_or_throw(navcore::run_trials(space, engine.caster(), engine.weigher(),
                                                        question_.settings, trials_, question_.seed,
                                                        threads_, console.progress("localizing")));
-  const navcore::TrialSummary summary = navcore::summarize(runs);
+  const TrialsAnswer answer{navcore::summarize(runs, question_.settings.filter.temper),
+                            tracking(map, runs)};
+  const navcore::TrialSummary& summary = answer.summary;
   if (json_) {
-    write_trials_json(console.out(), question_, runs, summary);
+    write_trials_json(console.out(), question_, runs, answer);
   } else {
-    write_trials_text(console.out(), summary);
+    write_trials_text(console.out(), runs, answer);
   }
   const double required = required_percent_ * static_cast<double>(summary.trials);
   return 100.0 * static_cast<double>(summary.converged) >= required ? ExitStatus::kSuccess

@@ -14,7 +14,7 @@ namespace mapwright::navcore {
 namespace {
 
 // Streams of one seed; the filter has a seed of its own.
-enum Stream : std::uint64_t { kRobot, kSensors, kStart };
+enum Stream : std::uint64_t { kRobot, kSensors, kStart, kBelief };
 
 /// The simulated robot: where it is, what it feels and sees.
 class Robot {
@@ -29,6 +29,7 @@ class Robot {
         sensors_(seed, kSensors) {}
 
   const Pose& pose() const { return pose_; }
+  const OdometryStep& last_step() const { return step_; }
 
   HeadingPrior compass() {
     const double sigma_deg = settings_.compass_error_deg;
@@ -37,10 +38,9 @@ class Robot {
 
   /// Drives on; what the encoders report.
   OdometryStep drive() {
-    const OdometryStep step =
-        stroll(space_, pose_, settings_.step_m, settings_.robot_radius_m, driver_);
-    pose_ = moved(pose_, step);
-    return perturbed(step, settings_.filter.odometry, sensors_);
+    step_ = stroll(space_, pose_, settings_.step_m, settings_.robot_radius_m, driver_);
+    pose_ = moved(pose_, step_);
+    return perturbed(step_, settings_.filter.odometry, sensors_);
   }
 
   std::vector<double> scan() {
@@ -52,14 +52,26 @@ class Robot {
   const RayCaster& caster_;
   const ExperimentSettings& settings_;
   Pose pose_;
+  OdometryStep step_;
   Random driver_;
   Random sensors_;
 };
 
+// Where the filter is told that the robot starts.
+std::optional<Pose> belief(const ExperimentSettings& settings, const Pose& truth,
+                           std::uint64_t seed) {
+  if (settings.initial_pose || !settings.start_known) return settings.initial_pose;
+  Random random(seed, kBelief);
+  const double dx = random.normal(0.0, settings.initial_sigma_m);
+  const double dy = random.normal(0.0, settings.initial_sigma_m);
+  const Angle turn = Angle::from_degrees(random.normal(0.0, settings.initial_sigma_deg));
+  return Pose{truth.x + dx, truth.y + dy, (truth.theta + turn).wrapped()};
+}
+
 bool start_filter(ParticleFilter& filter, const FreeSpace& space, Robot& robot,
-                  const ExperimentSettings& settings) {
-  if (settings.initial_pose) {
-    filter.start_at(*settings.initial_pose, settings.initial_sigma_m, settings.initial_sigma_deg);
+                  const ExperimentSettings& settings, std::uint64_t seed) {
+  if (const auto pose = belief(settings, robot.pose(), seed)) {
+    filter.start_at(*pose, settings.initial_sigma_m, settings.initial_sigma_deg);
     return true;
   }
   std::optional<HeadingPrior> heading;
@@ -68,16 +80,19 @@ bool start_filter(ParticleFilter& filter, const FreeSpace& space, Robot& robot,
 }
 
 IterationRecord record(std::size_t n, const UpdateReport& update, const ParticleFilter& filter,
-                       const Pose& truth) {
+                       const Robot& robot) {
+  const Pose& truth = robot.pose();
   IterationRecord result;
   result.n = n;
   result.update = update;
   result.estimate = filter.estimate();
   result.true_pose = truth;
+  result.step = robot.last_step();
   result.position_error_m = distance(result.estimate.pose.position(), truth.position());
   result.heading_error =
       Angle::from_radians(std::abs((result.estimate.pose.theta - truth.theta).wrapped().radians()));
   result.believes = believes_converged(result.estimate);
+  result.truth_share = share_around(filter.particles(), truth);
   return result;
 }
 
@@ -134,7 +149,7 @@ Result<ExperimentRun> run_experiment(const FreeSpace& space, const RayCaster& ca
   }
   Robot robot(space, caster, settings, start, seed);
   ParticleFilter filter(weigher, settings.laser, settings.filter, seed);
-  if (!start_filter(filter, space, robot, settings)) {
+  if (!start_filter(filter, space, robot, settings, seed)) {
     return usage_failure("the map has no free space to search");
   }
   ExperimentRun run{seed, start, {}};
@@ -142,7 +157,7 @@ Result<ExperimentRun> run_experiment(const FreeSpace& space, const RayCaster& ca
     if (n > 1) filter.move(robot.drive());
     std::vector<double> scan = robot.scan();
     const UpdateReport update = filter.update(scan);
-    run.iterations.push_back(record(n, update, filter, robot.pose()));
+    run.iterations.push_back(record(n, update, filter, robot));
     IterationRecord& last = run.iterations.back();
     last.truth_advantage = truth_advantage(weigher, settings, scan, last);
     if (!settings.keep_particles) continue;

@@ -27,9 +27,12 @@ struct ExperimentSettings {
   double step_m = 1.0;                           ///< driven before each iteration but the first
   double robot_radius_m = 0.4;
   std::optional<Pose> initial_pose;  ///< tracking: where the filter believes to start
+  bool start_known = false;          ///< tracking: it believes so near the truth as the next say
   double initial_sigma_m = 0.5;      ///< standard deviations of that belief
   double initial_sigma_deg = 5.0;
   bool keep_particles = false;  ///< in the records, with the scans
+
+  bool tracks() const { return start_known || initial_pose; }
 };
 
 /// The estimate is right when it is this near to the truth.
@@ -48,6 +51,7 @@ struct IterationRecord {
   UpdateReport update;
   PoseEstimate estimate;
   Pose true_pose;
+  OdometryStep step;  ///< the true one that led here from the last iteration's pose
   double position_error_m = 0.0;
   Angle heading_error;    ///< >= 0
   bool believes = false;  ///< the filter takes itself for converged
@@ -56,6 +60,7 @@ struct IterationRecord {
   /// has a large one, the true place was lost among the particles; with one near 0 the places look
   /// alike.
   double truth_advantage = 0.0;
+  double truth_share = 0.0;  ///< weight of the particles within a mode's reach of the truth
   std::vector<double> scan;  ///< with keep_particles: as perceived
   ParticleSet particles;     ///< with keep_particles
 

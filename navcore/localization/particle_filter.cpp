@@ -17,8 +17,8 @@ constexpr std::size_t kGrain = 512;
 constexpr double kBearableShare = 0.2;
 constexpr int kBisections = 12;
 
-// Extra particles with less weight than this altogether are dropped again.
-constexpr double kWorthKeeping = 1e-3;
+// Of the moves of a settled filter, the share that follows the spread of the place.
+constexpr double kKinShare = 0.5;
 
 Pose shaken(const Pose& pose, double sigma_m, double sigma_deg, Random& random) {
   const double dx = random.normal(0.0, sigma_m);
@@ -47,7 +47,11 @@ HeadingPrior turned(const HeadingPrior& heading, const OdometryStep& step,
 
 ParticleFilter::ParticleFilter(const ScanWeigher& weigher, const LaserModel& laser,
                                const FilterSettings& settings, std::uint64_t seed)
-    : weigher_(&weigher), laser_(laser), settings_(settings), seed_(seed) {
+    : weigher_(&weigher),
+      laser_(laser),
+      settings_(settings),
+      seed_(seed),
+      size_limit_(settings.particles) {
   assert(settings.particles > 0);
 }
 
@@ -115,6 +119,7 @@ UpdateReport ParticleFilter::update(std::span<const double> scan) {
     track(scan, report);
   }
   lost_ = false;
+  sharpen(scan, report);
   return report;
 }
 
@@ -132,36 +137,78 @@ ParticleFilter::Target ParticleFilter::search_target(std::size_t stage) const {
 // From each target to the next: importance weights, resampling, moves.
 void ParticleFilter::search(std::span<const double> scan, UpdateReport& report) {
   factors_.assign(particles_.size(), 0.0);
-  Target last{settings_.likelihood, 0.0};
+  double last = 0.0;
   for (std::size_t stage = 1; stage <= std::max<std::size_t>(1, settings_.first_stages); ++stage) {
     const Target target = search_target(stage);
-    std::vector<double> factors = weigh(target, scan, particles_.poses);
-    std::vector<double> gains(factors.size());
-    for (std::size_t i = 0; i < gains.size(); ++i) {
-      gains[i] = target.exponent * factors[i] - last.exponent * factors_[i];
-    }
-    factors_ = std::move(factors);
-    report.contradicted |= !multiply_weights(particles_.weights, gains);
-    if (stage == 1) report.effective_particles = effective_size(particles_.weights);
-    renew(target, scan, report);
-    last = target;
+    bring_to_bear(target, last, scan, report);
+    last = target.exponent;
   }
+  size_limit_ = settings_.particles;
+}
+
+// What the particles are distributed by has the exponent `last` and the likelihood that `factors_`
+// were computed by.
+void ParticleFilter::bring_to_bear(const Target& target, double last, std::span<const double> scan,
+                                   UpdateReport& report) {
+  std::vector<double> factors = weigh(target, scan, particles_.poses);
+  std::vector<double> gains(factors.size());
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    gains[i] = target.exponent * factors[i] - last * factors_[i];
+  }
+  factors_ = std::move(factors);
+  report.contradicted |= !multiply_weights(particles_.weights, gains);
+  if (report.effective_particles == 0.0) {
+    report.effective_particles = effective_size(particles_.weights);
+  }
+  if (lost_) {
+    const double keep = settings_.keep_effective * effective_size(particles_.weights);
+    size_limit_ = std::clamp(static_cast<std::size_t>(keep), settings_.particles,
+                             std::max(settings_.particles, particles_.size()));
+  }
+  renew(target, scan, report);
+}
+
+// On from the blunt look: σm falls geometrically, the exponent rises geometrically.
+ParticleFilter::Target ParticleFilter::settled_target(std::size_t stage) const {
+  const double share = static_cast<double>(stage) / static_cast<double>(settings_.settled_stages);
+  const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
+  Target target{settings_.likelihood, between(settings_.temper, settings_.settled_temper)};
+  target.likelihood.sigma_m = between(settings_.likelihood.sigma_m, settings_.settled_sigma_m);
+  return target;
+}
+
+void ParticleFilter::sharpen(std::span<const double> scan, UpdateReport& report) {
+  if (settings_.settled_share > 1.0) return;
+  sure_for_ = estimate().mode_share >= settings_.settled_share ? sure_for_ + 1 : 0;
+  const bool settled = sure_for_ >= settings_.settled_after;
+  size_limit_ =
+      settled ? std::min(settings_.settled_particles, settings_.particles) : settings_.particles;
+  if (!settled) return;
+  sharp_ = true;
+  double last = settings_.temper;
+  for (std::size_t stage = 1; stage <= settings_.settled_stages; ++stage) {
+    const Target target = settled_target(stage);
+    bring_to_bear(target, last, scan, report);
+    last = target.exponent;
+  }
+  sharp_ = false;
 }
 
 // The whole factor at once where enough particles survive it; otherwise a part that leaves enough,
 // moves, the next part, and so on.
 void ParticleFilter::track(std::span<const double> scan, UpdateReport& report) {
   Target target{settings_.likelihood, settings_.temper};
+  const double whole = target.exponent;
   add_elsewhere();
   factors_ = weigh(target, scan, particles_.poses);
-  double rest = settings_.temper;
+  double rest = whole;
   report.effective_particles = effective_size_after(rest);
   while (rest > 0.0) {
-    const double part = bearable_part(rest);
+    const double part = bearable_part(rest, whole);
     report.contradicted |= !multiply_weights(particles_.weights, factors_, part);
     drop_elsewhere();
     rest = part < rest ? rest - part : 0.0;
-    target.exponent = settings_.temper - rest;
+    target.exponent = whole - rest;
     renew(target, scan, report);
   }
 }
@@ -202,7 +249,7 @@ void ParticleFilter::drop_elsewhere() {
   const std::size_t count = particles_.size() - extras_;
   const auto first_extra = particles_.weights.begin() + static_cast<std::ptrdiff_t>(count);
   const double extra = std::accumulate(first_extra, particles_.weights.end(), 0.0);
-  if (extra > kWorthKeeping) return;
+  if (extra > settings_.elsewhere_worth) return;
   extras_ = 0;
   particles_.poses.resize(count);
   particles_.weights.resize(count);
@@ -218,7 +265,7 @@ double ParticleFilter::effective_size_after(double exponent) const {
 
 // By bisection; not too small, so that it comes to an end. Without moves there is no point in
 // parts.
-double ParticleFilter::bearable_part(double rest) const {
+double ParticleFilter::bearable_part(double rest, double whole) const {
   const double least = kBearableShare * static_cast<double>(particles_.size());
   if (settings_.sweeps == 0 || effective_size_after(rest) >= least) return rest;
   double low = 0.0, high = rest;
@@ -226,19 +273,21 @@ double ParticleFilter::bearable_part(double rest) const {
     const double middle = 0.5 * (low + high);
     (effective_size_after(middle) >= least ? low : high) = middle;
   }
-  return std::min(rest, std::max(low, settings_.temper * settings_.least_part));
+  return std::min(rest, std::max(low, whole * settings_.least_part));
 }
 
 void ParticleFilter::renew(const Target& target, std::span<const double> scan,
                            UpdateReport& report) {
   const double wanted = settings_.resample_below * static_cast<double>(particles_.size());
-  if (particles_.size() > settings_.particles || extras_ > 0 ||
+  if (particles_.size() > size_limit_ || extras_ > 0 ||
       effective_size(particles_.weights) < wanted) {
     resample();
     report.resampled = true;
   }
   if (!report.resampled) return;
-  for (std::size_t i = 0; i < settings_.sweeps; ++i) sweep(target, scan);
+  const std::size_t sweeps =
+      lost_ ? std::max(settings_.sweeps, settings_.first_sweeps) : settings_.sweeps;
+  for (std::size_t i = 0; i < sweeps; ++i) sweep(target, scan);
 }
 
 std::vector<double> ParticleFilter::weigh(const Target& target, std::span<const double> scan,
@@ -250,7 +299,7 @@ std::vector<double> ParticleFilter::weigh(const Target& target, std::span<const 
 
 // A first draw shows how many bins the weight is spread over.
 std::size_t ParticleFilter::wanted_particles(Random& random) const {
-  if (!settings_.kld) return settings_.particles;
+  if (!settings_.kld) return size_limit_;
   std::vector<Pose> poses;
   for (const auto i : low_variance_sample(
            particles_.weights, std::min(settings_.particles, particles_.size()), random)) {
@@ -266,15 +315,18 @@ void ParticleFilter::resample() {
   extras_ = 0;
   Random random = stream(0);
   const std::size_t count = wanted_particles(random);
-  std::vector<Pose> poses;
+  const Sample sample = settings_.place_power < 1.0
+                            ? sample_by_place(particles_, count, settings_.place_power, random)
+                            : sample_by_weight(particles_, count, random);
+  ParticleSet drawn;
   std::vector<double> factors;
-  poses.reserve(count);
-  factors.reserve(count);
-  for (const auto i : low_variance_sample(particles_.weights, count, random)) {
-    poses.push_back(particles_.poses[i]);
+  for (const auto i : sample.indices) {
+    drawn.poses.push_back(particles_.poses[i]);
     factors.push_back(factors_[i]);
   }
-  particles_ = with_equal_weights(std::move(poses));
+  drawn.weights = sample.weights;
+  kin_ = sample.kin;
+  particles_ = std::move(drawn);
   factors_ = std::move(factors);
 }
 
@@ -282,9 +334,22 @@ Pose ParticleFilter::proposal(const Pose& pose, Random& random) const {
   const auto between = [&](double low, double high) {
     return low * std::pow(high / low, random.uniform());
   };
-  const double sigma_m = between(settings_.shortest_move_m, settings_.longest_move_m);
-  const double sigma_deg = between(settings_.smallest_turn_deg, settings_.largest_turn_deg);
+  const double scale = sharp_ ? settings_.settled_sigma_m / settings_.likelihood.sigma_m : 1.0;
+  const double sigma_m = scale * between(settings_.shortest_move_m, settings_.longest_move_m);
+  const double sigma_deg = scale * between(settings_.smallest_turn_deg, settings_.largest_turn_deg);
   return shaken(pose, sigma_m, sigma_deg, random);
+}
+
+// The difference of two others of the same place (differential evolution Markov chain: ter Braak
+// 2006) has the length and the direction in which the place is uncertain.
+Pose ParticleFilter::kin_proposal(std::size_t particle, Random& random) const {
+  const auto [begin, end] = kin_[particle];
+  const Pose& a = particles_.poses[begin + random.below(end - begin)];
+  const Pose& b = particles_.poses[begin + random.below(end - begin)];
+  const double scale = std::pow(10.0, -random.uniform());
+  const Pose& pose = particles_.poses[particle];
+  return {pose.x + scale * (a.x - b.x), pose.y + scale * (a.y - b.y),
+          (pose.theta + scale * (a.theta - b.theta).wrapped()).wrapped()};
 }
 
 // Metropolis: a symmetric proposal, accepted with the ratio of the scan's factors. The prior is
@@ -296,7 +361,8 @@ void ParticleFilter::sweep(const Target& target, std::span<const double> scan) {
   std::vector<double> thresholds(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     Random random = stream(i);
-    proposals[i] = proposal(poses[i], random);
+    const bool by_kin = sharp_ && kin_.size() == poses.size() && random.uniform() < kKinShare;
+    proposals[i] = by_kin ? kin_proposal(i, random) : proposal(poses[i], random);
     thresholds[i] = random.uniform();
   }
   const std::vector<double> factors = weigh(target, scan, proposals);
@@ -321,9 +387,14 @@ FilterSettings robust_settings() {
   settings.temper = 0.3;
   settings.first_stages = 8;
   settings.first_sigma_m = 0.75;
+  settings.keep_effective = 1.0;
   settings.sweeps = 1;
+  settings.first_sweeps = 2;
+  settings.place_power = 0.5;
   settings.elsewhere = 1e-3;
   settings.elsewhere_particles = 3000;
+  settings.elsewhere_worth = 1e-6;
+  settings.settled_share = 0.99;
   return settings;
 }
 

@@ -23,7 +23,18 @@ struct FilterSettings {
   std::size_t particles = 6000;         ///< NP
   std::size_t first_particles = 50000;  ///< scored against the first scan when lost; >= particles
   LikelihoodModel likelihood;
-  double temper = 1.0;          ///< τ: exponent of each scan's factor, in (0, 1]
+  double temper = 1.0;  ///< τ: exponent of each scan's factor, in (0, 1]
+
+  /// Once one mode has held this share of the weight for so many scans in a row, the filter is
+  /// settled: it goes on with fewer particles and looks at each scan twice, first as above, then by
+  /// degrees more sharply, until by this σm and τ. More than 1: never.
+  double settled_share = 2.0;
+  std::size_t settled_after = 3;
+  std::size_t settled_particles = 1500;
+  double settled_sigma_m = 0.06;
+  double settled_temper = 0.6;
+  std::size_t settled_stages = 3;
+
   double resample_below = 0.5;  ///< resample when the effective share falls below this
 
   /// The first scan of a lost robot is brought to bear in this many steps, from a blunt likelihood
@@ -31,10 +42,22 @@ struct FilterSettings {
   std::size_t first_stages = 1;
   double first_sigma_m = 0.5;
 
+  /// Between its stages the first particles are thinned out to this many times their effective
+  /// number, but to no fewer than `particles`: a place that a few of them stand for is not left to
+  /// chance. 0: to `particles` at once.
+  double keep_effective = 0.0;
+
+  /// Resampling gives a place (PlaceGrid, particles.hpp) that holds the share W of the weight
+  /// particles in proportion to W to this power, and the particles the weight that makes up for it.
+  /// 1: by weight alone. Less: a place that the scans speak against keeps some particles, with all
+  /// that was ever seen in their weight, and comes back when later scans speak for it.
+  double place_power = 1.0;
+
   /// Metropolis sweeps after each resampling and at each stage: every particle tries that many
   /// random moves and keeps those that the scan agrees with. Their lengths (standard deviations)
   /// are spread evenly over the orders of magnitude between these limits.
   std::size_t sweeps = 0;
+  std::size_t first_sweeps = 0;  ///< the same at the first scan of a lost robot, if more
   double least_part =
       1.0 / 16.0;  ///< a scan is brought to bear in no smaller parts of its evidence
   double shortest_move_m = 0.04, longest_move_m = 0.8;
@@ -46,6 +69,7 @@ struct FilterSettings {
   /// given.
   double elsewhere = 0.0;
   std::size_t elsewhere_particles = 0;
+  double elsewhere_worth = 1e-3;  ///< they are dropped when the scan leaves them less weight
 
   /// Where the odometry itself may be wrong, a share of them stays near: a wheel that slipped, a
   /// turn that was not counted. Around the particles, by these standard deviations; with
@@ -127,20 +151,25 @@ class ParticleFilter {
     double exponent = 1.0;
   };
   Target search_target(std::size_t stage) const;
+  Target settled_target(std::size_t stage) const;
+  void sharpen(std::span<const double> scan, UpdateReport& report);
   void search(std::span<const double> scan, UpdateReport& report);
+  void bring_to_bear(const Target& target, double last, std::span<const double> scan,
+                     UpdateReport& report);
   void track(std::span<const double> scan, UpdateReport& report);
   void add_elsewhere();
   void drop_elsewhere();
   Pose somewhere_near(Random& random) const;
   std::size_t wanted_particles(Random& random) const;
   double effective_size_after(double exponent) const;
-  double bearable_part(double rest) const;
+  double bearable_part(double rest, double whole) const;
   void renew(const Target& target, std::span<const double> scan, UpdateReport& report);
   std::vector<double> weigh(const Target& target, std::span<const double> scan,
                             std::span<const Pose> poses) const;
   void resample();
   void sweep(const Target& target, std::span<const double> scan);
   Pose proposal(const Pose& pose, Random& random) const;
+  Pose kin_proposal(std::size_t particle, Random& random) const;
   Random stream(std::size_t particle) const;
 
   const ScanWeigher* weigher_;
@@ -148,11 +177,15 @@ class ParticleFilter {
   LaserModel laser_;
   FilterSettings settings_;
   std::uint64_t seed_;
+  std::size_t size_limit_;               ///< particles after the next resampling
   std::uint64_t epoch_ = 0;              ///< counts the operations that draw random numbers
   std::optional<HeadingPrior> heading_;  ///< what compass and odometry say
+  std::size_t sure_for_ = 0;             ///< scans in a row that one mode held enough weight
+  bool sharp_ = false;                   ///< looks sharply
   bool lost_ = false;                    ///< started anywhere and not yet seen a scan
   std::size_t extras_ = 0;               ///< of the particles, at their end: elsewhere
   ParticleSet particles_;
+  std::vector<IndexRange> kin_;  ///< per particle: those of its cell at the last resampling
   std::vector<double> factors_;  ///< per particle: log factor of the current scan
 };
 

@@ -1,11 +1,51 @@
 #include "navcore/localization/particles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace mapwright::navcore {
+namespace {
+
+constexpr double kCell_m = 1.0;
+constexpr double kCell_deg = 20.0;
+
+std::array<std::int64_t, 3> cell_of(const Pose& pose) {
+  const auto number = [](double value, double size) {
+    return static_cast<std::int64_t>(std::floor(value / size));
+  };
+  return {number(pose.x, kCell_m), number(pose.y, kCell_m),
+          number(pose.theta.wrapped().degrees(), kCell_deg)};
+}
+
+/// Particles in order of place, and where each cell's begin.
+struct Cells {
+  std::vector<std::uint32_t> order;
+  std::vector<std::size_t> begins;  ///< into `order`; the last is its size
+};
+
+Cells sorted_into_cells(std::span<const Pose> poses) {
+  std::vector<std::pair<std::array<std::int64_t, 3>, std::uint32_t>> keyed(poses.size());
+  for (std::uint32_t i = 0; i < poses.size(); ++i) keyed[i] = {cell_of(poses[i]), i};
+  std::sort(keyed.begin(), keyed.end());
+  Cells cells;
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    if (i == 0 || keyed[i].first != keyed[i - 1].first) cells.begins.push_back(i);
+    cells.order.push_back(keyed[i].second);
+  }
+  cells.begins.push_back(keyed.size());
+  return cells;
+}
+
+void normalise(std::vector<double>& weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& w : weights) w /= sum;
+}
+
+}  // namespace
 
 ParticleSet with_equal_weights(std::vector<Pose> poses) {
   const double weight = 1.0 / static_cast<double>(poses.size());
@@ -49,6 +89,45 @@ std::vector<std::uint32_t> low_variance_sample(std::span<const double> weights, 
     drawn[k] = static_cast<std::uint32_t>(i);
   }
   return drawn;
+}
+
+Sample sample_by_weight(const ParticleSet& particles, std::size_t count, Random& random) {
+  return {low_variance_sample(particles.weights, count, random),
+          std::vector<double>(count, 1.0 / static_cast<double>(count)),
+          {}};
+}
+
+Sample sample_by_place(const ParticleSet& particles, std::size_t count, double power,
+                       Random& random) {
+  const Cells cells = sorted_into_cells(particles.poses);
+  std::vector<double> priorities(particles.size());  // in order of place
+  std::vector<double> corrections(particles.size());
+  std::vector<std::uint32_t> cell_of_place(particles.size());
+  for (std::size_t cell = 0; cell + 1 < cells.begins.size(); ++cell) {
+    double weight = 0.0;
+    for (std::size_t k = cells.begins[cell]; k < cells.begins[cell + 1]; ++k) {
+      weight += particles.weights[cells.order[k]];
+    }
+    const double correction = weight > 0.0 ? std::pow(weight, 1.0 - power) : 1.0;
+    for (std::size_t k = cells.begins[cell]; k < cells.begins[cell + 1]; ++k) {
+      priorities[k] = particles.weights[cells.order[k]] / correction;
+      corrections[k] = correction;
+      cell_of_place[k] = static_cast<std::uint32_t>(cell);
+    }
+  }
+  normalise(priorities);
+  const auto drawn = low_variance_sample(priorities, count, random);
+  Sample sample;
+  for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
+    while (end < count && cell_of_place[drawn[end]] == cell_of_place[drawn[begin]]) ++end;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      sample.indices.push_back(cells.order[drawn[i]]);
+      sample.weights.push_back(corrections[drawn[i]]);
+      sample.kin.push_back({begin, end});
+    }
+  }
+  normalise(sample.weights);
+  return sample;
 }
 
 }  // namespace mapwright::navcore

@@ -155,4 +155,8 @@ PoseEstimate estimate_pose(const ParticleSet& particles) {
           spread_around(particles, centre.position())};
 }
 
+double share_around(const ParticleSet& particles, const Pose& pose) {
+  return look_around(particles, pose).weight;
+}
+
 }  // namespace mapwright::navcore

@@ -139,6 +139,11 @@ RecordedSettings recorded_settings() {
   RecordedSettings settings;
   FilterSettings& filter = settings.filter;
   filter = robust_settings();
+  filter.keep_effective = 0.0;
+  filter.first_sweeps = 0;
+  filter.place_power = 1.0;
+  filter.elsewhere_worth = 1e-3;
+  filter.settled_share = 2.0;
   filter.first_particles = 200000;
   filter.particles = 20000;
   filter.likelihood = {LikelihoodKind::kRobust, 1.0, 0.5, 0.5, 0.15};

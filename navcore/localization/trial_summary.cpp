@@ -1,7 +1,9 @@
 #include "navcore/localization/trial_summary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace mapwright::navcore {
 namespace {
@@ -28,7 +30,41 @@ TrialSummary::AfterIterations after(std::span<const ExperimentRun> runs, std::si
   return result;
 }
 
+constexpr std::array kShares{0.0, 0.5, 0.8, 0.95, 0.99};
+
+std::vector<TrialSummary::Reliability> reliability(std::span<const ExperimentRun> runs) {
+  std::vector<TrialSummary::Reliability> rows;
+  for (const double share : kShares) rows.push_back({share, 0, 0.0, 0});
+  for (const auto& run : runs) {
+    for (const auto& iteration : run.iterations) {
+      const double share = iteration.estimate.mode_share;
+      const auto row = std::upper_bound(kShares.begin(), kShares.end(), share) - kShares.begin();
+      auto& reliability = rows[static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, row)) - 1];
+      ++reliability.iterations;
+      reliability.mean_share += share;
+      reliability.right += iteration.is_right() ? 1 : 0;
+    }
+  }
+  for (auto& row : rows) {
+    if (row.iterations > 0) row.mean_share /= static_cast<double>(row.iterations);
+  }
+  return rows;
+}
+
+void count_beliefs(const ExperimentRun& run, TrialSummary& summary) {
+  for (const auto& iteration : run.iterations) {
+    if (!iteration.believes) continue;
+    ++summary.sure;
+    summary.sure_right += iteration.is_right() ? 1 : 0;
+  }
+}
+
 }  // namespace
+
+bool depleted(const ExperimentRun& run, double temper) {
+  return !run.iterations.back().is_right() &&
+         temper * run.truth_advantage() > static_cast<double>(run.iterations.size());
+}
 
 std::optional<double> quantile(std::vector<double> values, double q) {
   if (values.empty()) return std::nullopt;
@@ -45,12 +81,16 @@ std::optional<MedianAndP95> median_and_p95(const std::vector<double>& values) {
   return MedianAndP95{*median, *quantile(values, 0.95)};
 }
 
-TrialSummary summarize(std::span<const ExperimentRun> runs) {
+TrialSummary summarize(std::span<const ExperimentRun> runs, double temper) {
   TrialSummary summary;
   summary.trials = runs.size();
   std::vector<double> iterations, errors_m;
   for (const auto& run : runs) {
     if (run.mistaken()) ++summary.mistaken;
+    count_beliefs(run, summary);
+    if (!run.iterations.back().is_right()) {
+      ++(depleted(run, temper) ? summary.depleted : summary.alike);
+    }
     errors_m.push_back(run.iterations.back().position_error_m);
     if (!run.converged()) continue;
     ++summary.converged;
@@ -58,6 +98,7 @@ TrialSummary summarize(std::span<const ExperimentRun> runs) {
   }
   summary.iterations_to_converge = median_and_p95(iterations);
   summary.position_error_m = median_and_p95(errors_m);
+  summary.reliability = reliability(runs);
   if (runs.empty()) return summary;
   for (const std::size_t n : milestones(runs.front().iterations.size())) {
     summary.after.push_back(after(runs, n));

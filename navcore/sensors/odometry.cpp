@@ -33,18 +33,21 @@ Pose moved(const Pose& pose, const OdometryStep& step) {
   return {pose.x + way.x, pose.y + way.y, (course + step.turn_after).wrapped()};
 }
 
-OdometryStep perturbed(const OdometryStep& step, const OdometryNoise& noise, Random& random) {
+StepErrors step_errors(const OdometryStep& step, const OdometryNoise& noise) {
   const double before = turn_size(step.turn_before);
   const double after = turn_size(step.turn_after);
   const double distance_m = std::abs(step.distance_m);
-  const auto error = [&](double first, double second) {
-    return random.normal(0.0, std::hypot(first, second));
-  };
-  const double error_before =
-      error(noise.turn_per_turn * before, noise.turn_per_metre * distance_m);
-  const double error_distance =
-      error(noise.distance_per_metre * distance_m, noise.distance_per_turn * (before + after));
-  const double error_after = error(noise.turn_per_turn * after, noise.turn_per_metre * distance_m);
+  return {
+      std::hypot(noise.turn_per_turn * before, noise.turn_per_metre * distance_m),
+      std::hypot(noise.distance_per_metre * distance_m, noise.distance_per_turn * (before + after)),
+      std::hypot(noise.turn_per_turn * after, noise.turn_per_metre * distance_m)};
+}
+
+OdometryStep perturbed(const OdometryStep& step, const OdometryNoise& noise, Random& random) {
+  const StepErrors errors = step_errors(step, noise);
+  const double error_before = random.normal(0.0, errors.turn_before_rad);
+  const double error_distance = random.normal(0.0, errors.distance_m);
+  const double error_after = random.normal(0.0, errors.turn_after_rad);
   return {step.turn_before + Angle::from_radians(error_before), step.distance_m + error_distance,
           step.turn_after + Angle::from_radians(error_after)};
 }

@@ -31,6 +31,15 @@ struct OdometryNoise {
   double distance_per_turn = 0.01;   ///< metres a radian (α4)
 };
 
+/// Standard deviations of the errors of one movement's parts.
+struct StepErrors {
+  double turn_before_rad = 0.0;
+  double distance_m = 0.0;
+  double turn_after_rad = 0.0;
+};
+
+StepErrors step_errors(const OdometryStep& step, const OdometryNoise& noise);
+
 /// The movement with errors: what encoders report of a true movement, or, the model being
 /// symmetric, a movement that the report may stand for.
 OdometryStep perturbed(const OdometryStep& step, const OdometryNoise& noise, Random& random);

@@ -128,6 +128,31 @@ TEST_F(Localize, SummarisesTrials) {
   EXPECT_EQ(localize(strict).status, 1);
 }
 
+TEST_F(Localize, SetsTrackingAgainstTheSequentialBound) {
+  const std::vector<std::string> options{"--trials", "4", "--known-start", "--iterations", "6"};
+  auto as_json = options;
+  as_json.insert(as_json.end(), {"--format", "json"});
+  const Json json = Json::parse(localize(as_json).out);
+  EXPECT_EQ(json["settings"]["known_start"], true);
+  const Json& tracking = json["tracking"];
+  EXPECT_GT(tracking["rms_bound_m"].get<double>(), 0.002);
+  EXPECT_LT(tracking["rms_bound_m"].get<double>(), 0.1);
+  EXPECT_NEAR(tracking["rms_ratio"].get<double>(), 1.5, 1.2);
+  ASSERT_EQ(json["reliability"].size(), 5U);
+  std::size_t iterations = 0;
+  for (const auto& row : json["reliability"]) iterations += row["iterations"].get<std::size_t>();
+  EXPECT_EQ(iterations, 24U);
+  const std::string text = localize(options).out;
+  EXPECT_NE(text.find("sequential Fisher bound rms"), std::string::npos) << text;
+  EXPECT_NE(text.find("took itself for converged in"), std::string::npos) << text;
+}
+
+TEST_F(Localize, AKnownStartBelongsToTrials) {
+  const auto result = localize({"--pose", "10,10,45", "--known-start"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--initial-pose"), std::string::npos);
+}
+
 TEST_F(Localize, IsTheSameForAnyNumberOfThreads) {
   const auto out = [&](const std::string& threads, const std::string& seed) {
     return localize({"--pose", "10,10,45", "--iterations", "2", "--first-particles", "3000",

@@ -5,6 +5,7 @@
 
 #include "navcore/localization/experiment.hpp"
 #include "navcore/localization/roaming.hpp"
+#include "navcore/localization/trial_summary.hpp"
 #include "navcore/parallel.hpp"
 #include "navcore/rays/culled_ray_caster.hpp"
 #include "tests/navcore/shapes.hpp"
@@ -94,6 +95,57 @@ TEST_F(Localization, TracksFromAKnownPose) {
     EXPECT_EQ(iteration.update.particles, 300U) << "and no others elsewhere";
     EXPECT_LT(iteration.position_error_m, 0.5);
   }
+}
+
+TEST_F(Localization, LooksSharplyOnceSettled) {
+  ExperimentSettings settings = small(robust_settings());
+  settings.start_known = true;
+  settings.iterations = 8;
+  const auto sharp = run_trials(space_, caster_, weigher_, settings, 5, 1, 2);
+  settings.filter.settled_share = 2.0;
+  const auto blunt = run_trials(space_, caster_, weigher_, settings, 5, 1, 2);
+  ASSERT_TRUE(sharp && blunt);
+  const auto median_m = [](const std::vector<ExperimentRun>& runs) {
+    std::vector<double> errors_m;
+    for (const auto& run : runs) {
+      for (const auto& i : run.iterations) errors_m.push_back(i.position_error_m);
+    }
+    return quantile(errors_m, 0.5).value_or(0.0);
+  };
+  EXPECT_LT(median_m(*sharp), 0.02);
+  EXPECT_LT(median_m(*sharp), 0.8 * median_m(*blunt));
+}
+
+TEST_F(Localization, SettledItGoesOnWithFewerParticles) {
+  ExperimentSettings settings = small(robust_settings());
+  settings.filter.settled_particles = 400;
+  const auto result = run(settings, kStart);
+  ASSERT_TRUE(result && result->converged());
+  EXPECT_EQ(result->iterations[1].update.particles, 1500U);
+  EXPECT_EQ(result->iterations.back().update.particles, 400U);
+}
+
+TEST_F(Localization, SearchesFromABeliefNearTheTruthWhenTheStartIsKnown) {
+  ExperimentSettings settings = small(robust_settings());
+  settings.start_known = true;
+  settings.initial_sigma_m = 0.1;
+  settings.iterations = 1;
+  settings.filter.sweeps = 0;
+  settings.keep_particles = true;
+  const auto result = run(settings, kStart);
+  ASSERT_TRUE(result);
+  for (const Pose& pose : result->iterations[0].particles.poses) {
+    EXPECT_LT(distance(pose.position(), kStart.position()), 1.0);
+  }
+}
+
+TEST_F(Localization, SaysHowMuchWeightIsLeftAtTheTruth) {
+  const auto found = run(small(robust_settings()), kStart);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->iterations.back().truth_share, 0.99);
+  const ParticleSet set{{{0, 0, Angle()}, {0.5, 0, Angle()}, {3, 0, Angle()}}, {0.2, 0.3, 0.5}};
+  EXPECT_DOUBLE_EQ(share_around(set, {0, 0, Angle()}), 0.5);
+  EXPECT_DOUBLE_EQ(share_around(set, {9, 0, Angle()}), 0.0);
 }
 
 TEST_F(Localization, FindsAKidnappedRobotAgain) {

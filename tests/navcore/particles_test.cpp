@@ -52,6 +52,75 @@ TEST(LowVarianceSample, DrawsEachByItsShareRoundedUpOrDown) {
   }
 }
 
+// Two places, the first with most of the weight.
+ParticleSet two_places(double first_weight) {
+  ParticleSet set;
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const bool first = i % 2 == 0;
+    set.poses.push_back({(first ? 10.0 : 40.0) + random.uniform(0.1, 0.9), 5.5, Angle()});
+    set.weights.push_back((first ? first_weight : 1.0 - first_weight) / 100.0);
+  }
+  return set;
+}
+
+struct Drawn {
+  std::size_t count = 0;
+  double weight = 0.0;
+};
+
+Drawn drawn_beyond(const ParticleSet& set, const Sample& sample, double x) {
+  Drawn result;
+  for (std::size_t k = 0; k < sample.indices.size(); ++k) {
+    if (set.poses[sample.indices[k]].x < x) continue;
+    ++result.count;
+    result.weight += sample.weights[k];
+  }
+  return result;
+}
+
+TEST(SampleByPlace, KeepsAPlaceThatByWeightWouldDieOut) {
+  const ParticleSet set = two_places(1.0 - 1e-6);
+  Random random(1);
+  const Sample sample = sample_by_place(set, 5000, 0.5, random);
+  const Drawn faint = drawn_beyond(set, sample, 20.0);
+  EXPECT_NEAR(static_cast<double>(faint.count), 5000.0 * 1e-3, 1.0) << "1e-6 to the power 1/2";
+  EXPECT_NEAR(faint.weight, 1e-6, 2.5e-7) << "and its particles weigh what the place did";
+  EXPECT_NEAR(std::accumulate(sample.weights.begin(), sample.weights.end(), 0.0), 1.0, 1e-12);
+}
+
+TEST(SampleByPlace, StandsForTheSameDistribution) {
+  const ParticleSet set = two_places(0.97);
+  double mean = 0.0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    mean += drawn_beyond(set, sample_by_place(set, 50, 0.5, random), 20.0).weight / 200.0;
+  }
+  EXPECT_NEAR(mean, 0.03, 0.002);
+}
+
+TEST(SampleByPlace, ByWeightAloneAtPowerOne) {
+  const ParticleSet set = two_places(0.9);
+  Random random(1);
+  const Sample sample = sample_by_place(set, 1000, 1.0, random);
+  EXPECT_NEAR(static_cast<double>(drawn_beyond(set, sample, 20.0).count), 100.0, 1.0);
+  for (const double weight : sample.weights) EXPECT_DOUBLE_EQ(weight, 1e-3);
+}
+
+TEST(SampleByPlace, NamesTheParticlesOfTheSamePlace) {
+  const ParticleSet set = two_places(0.75);
+  Random random(1);
+  const Sample sample = sample_by_place(set, 400, 0.5, random);
+  ASSERT_EQ(sample.kin.size(), 400U);
+  for (std::size_t k = 0; k < sample.kin.size(); ++k) {
+    const auto [begin, end] = sample.kin[k];
+    ASSERT_TRUE(begin <= k && k < end && end <= 400U);
+    for (std::size_t other = begin; other < end; ++other) {
+      EXPECT_LT(std::abs(set.poses[sample.indices[k]].x - set.poses[sample.indices[other]].x), 1.0);
+    }
+  }
+}
+
 TEST(LowVarianceSample, NeverDrawsWithoutWeight) {
   Random random(2);
   for (const auto i : low_variance_sample(std::vector<double>{0.0, 1.0, 0.0}, 50, random)) {
