@@ -9,32 +9,13 @@
 namespace mapwright::cli {
 namespace {
 
-Json look_json(const navcore::LookSettings& look) {
+// Of a LookSettings or a TrackingStage.
+template <class Look>
+Json look_json(const Look& look) {
   Json json;
   json["beams"] = look.beams;
   json["sigma"] = look.sigma_m;
   json["evidence"] = std::isfinite(look.evidence) ? Json(look.evidence) : Json(nullptr);
-  return json;
-}
-
-Json settings_json(const RecordedQuestion& question) {
-  const auto& settings = question.settings;
-  const auto& filter = settings.filter;
-  Json json;
-  json["likelihood"] = question.likelihood;
-  json["log"] = question.log_path;
-  json["odometry"] = question.odometry_path;
-  json["particles"] = filter.particles;
-  json["first_particles"] = filter.first_particles;
-  json["search"] = look_json(settings.search);
-  json["track"] = look_json(settings.track);
-  json["max_range"] = settings.max_range_m;
-  json["laser_height"] = settings.height_m;
-  json["alpha"] = filter.likelihood.alpha;
-  json["beta"] = filter.likelihood.beta;
-  json["gamma"] = filter.likelihood.gamma;
-  json["tracking"] = question.from_reference || settings.initial_pose.has_value();
-  json["seed"] = question.seed;
   return json;
 }
 
@@ -95,6 +76,28 @@ Json iterations_to_converge(const std::vector<JudgedRun>& runs) {
 
 }  // namespace
 
+Json recorded_settings_json(const RecordedQuestion& question) {
+  const auto& settings = question.settings;
+  const auto& filter = settings.filter;
+  Json json;
+  json["likelihood"] = question.likelihood;
+  json["log"] = question.log_path;
+  json["odometry"] = question.odometry_path;
+  json["particles"] = filter.particles;
+  json["first_particles"] = filter.first_particles;
+  json["search"] = look_json(settings.search);
+  const auto& stages = settings.tracker.stages;
+  json["track"] = stages.empty() ? look_json(settings.recover) : look_json(stages.back());
+  json["max_range"] = settings.max_range_m;
+  json["laser_height"] = settings.height_m;
+  json["alpha"] = filter.likelihood.alpha;
+  json["beta"] = filter.likelihood.beta;
+  json["gamma"] = filter.likelihood.gamma;
+  json["tracking"] = question.from_reference || settings.initial_pose.has_value();
+  json["seed"] = question.seed;
+  return json;
+}
+
 void write_recorded_run_json(std::ostream& out, const RecordedQuestion& question,
                              const JudgedRun& run) {
   Json json;
@@ -106,7 +109,7 @@ void write_recorded_run_json(std::ostream& out, const RecordedQuestion& question
   for (const auto& iteration : run.run.iterations) {
     json["iterations"].push_back(iteration_json(iteration, json["iterations"].size() + 1));
   }
-  json["settings"] = settings_json(question);
+  json["settings"] = recorded_settings_json(question);
   out << json.dump() << '\n';
 }
 
@@ -133,7 +136,7 @@ void write_recorded_batch_json(std::ostream& out, const RecordedQuestion& questi
     row["estimate"] = pose_json(run.run.iterations.back().estimate.pose);
     json["runs"].push_back(std::move(row));
   }
-  json["settings"] = settings_json(question);
+  json["settings"] = recorded_settings_json(question);
   out << json.dump() << '\n';
 }
 

@@ -1,5 +1,8 @@
 #include "cli/localize/recorded_localization.hpp"
 
+#include <algorithm>
+
+#include "cli/localize/kidnapped_answer.hpp"
 #include "cli/localize/recorded_answer.hpp"
 #include "cli/support/error.hpp"
 #include "mapcore/random.hpp"
@@ -29,28 +32,61 @@ class Runner {
 
   std::vector<JudgedRun> run(unsigned threads, Console& console) const {
     const auto asked = stretches(question_, steps_.size());
-    std::vector<Result<JudgedRun>> runs(asked.size());
-    navcore::parallel_for(asked.size(), 1, threads, [&](std::size_t i, std::size_t) {
-      runs[i] = run_stretch(asked[i], question_.seed + i);
-    });
-    std::vector<JudgedRun> results;
-    for (auto& run : runs) results.push_back(value_or_throw(std::move(run)));
+    auto results = over_all<JudgedRun>(asked.size(), threads,
+                                       [&](std::size_t i) { return run_stretch(asked[i], i); });
     console.note(speed_text(results));
     return results;
   }
 
+  std::vector<KidnappedRun> kidnap(unsigned threads) const {
+    const auto asked = stretches(question_, steps_.size());
+    const std::size_t further = asked.size() / 2;
+    return over_all<KidnappedRun>(asked.size(), threads, [&](std::size_t i) {
+      return kidnap(asked[i], asked[(i + further) % asked.size()], i);
+    });
+  }
+
  private:
-  Result<JudgedRun> run_stretch(const ScanStretch& stretch, std::uint64_t seed) const {
+  template <class Run, class Work>
+  static std::vector<Run> over_all(std::size_t count, unsigned threads, const Work& work) {
+    std::vector<Result<Run>> runs(count);
+    navcore::parallel_for(count, 1, threads,
+                          [&](std::size_t i, std::size_t) { runs[i] = work(i); });
+    std::vector<Run> results;
+    for (auto& run : runs) results.push_back(value_or_throw(std::move(run)));
+    return results;
+  }
+
+  // The number-th of all.
+  Result<navcore::RecordedRun> run_steps(std::span<const navcore::RecordedStep> steps,
+                                         std::size_t first, std::size_t last,
+                                         std::size_t number) const {
+    const std::uint64_t seed = question_.seed + number;
     navcore::RecordedSettings settings = question_.settings;
     if (question_.from_reference) {
-      settings.initial_pose = believed_start(*steps_[stretch.first].reference, settings, seed);
+      settings.initial_pose = believed_start(*steps[first].reference, settings, seed);
     }
-    auto run = navcore::run_recorded(space_, engine_.weigher(), settings, steps_, stretch.first,
-                                     stretch.last, seed);
+    return navcore::run_recorded(space_, engine_.weigher(), settings, steps, first, last, seed);
+  }
+
+  Result<JudgedRun> run_stretch(const ScanStretch& stretch, std::size_t number) const {
+    auto run = run_steps(steps_, stretch.first, stretch.last, number);
     if (!run) return tl::unexpected(run.error());
     JudgedRun judged{*std::move(run), {}};
     if (steps_.front().reference) judged.verdict = judge(judged.run);
     return judged;
+  }
+
+  std::span<const navcore::RecordedStep> steps_of(const ScanStretch& stretch) const {
+    return std::span(steps_).subspan(stretch.first, stretch.last - stretch.first + 1);
+  }
+
+  Result<KidnappedRun> kidnap(const ScanStretch& before, const ScanStretch& after,
+                              std::size_t number) const {
+    const auto steps = navcore::spliced(steps_of(before), steps_of(after));
+    const auto run = run_steps(steps, 0, steps.size() - 1, number);
+    if (!run) return tl::unexpected(run.error());
+    return KidnappedRun{before, after, judge_kidnapping(*run, steps_of(before).size())};
   }
 
   navcore::FreeSpace space_;
@@ -59,11 +95,15 @@ class Runner {
   std::vector<navcore::RecordedStep> steps_;
 };
 
-bool are_enough(const std::vector<JudgedRun>& runs, double required_percent) {
-  std::size_t converged = 0;
-  for (const auto& run : runs) converged += run.converged() ? 1 : 0;
+template <class Run, class Good>
+bool are_enough(const std::vector<Run>& runs, double required_percent, const Good& good) {
+  const auto converged = std::count_if(runs.begin(), runs.end(), good);
   return 100.0 * static_cast<double>(converged) >=
          required_percent * static_cast<double>(runs.size());
+}
+
+ExitStatus status_of(bool success) {
+  return success ? ExitStatus::kSuccess : ExitStatus::kNegative;
 }
 
 }  // namespace
@@ -71,15 +111,23 @@ bool are_enough(const std::vector<JudgedRun>& runs, double required_percent) {
 ExitStatus localize_recorded(const Map& map, RayEngineKind engine, const RecordedQuestion& question,
                              const RecordedOutput& output, Console& console) {
   const Runner runner(map, engine, question);
+  if (question.kidnap) {
+    const std::vector<KidnappedRun> runs = runner.kidnap(output.threads);
+    output.json ? write_kidnapped_json(console.out(), question, runs)
+                : write_kidnapped_text(console.out(), runs);
+    return status_of(are_enough(runs, output.required_percent,
+                                [](const KidnappedRun& run) { return run.verdict.recovered; }));
+  }
   const std::vector<JudgedRun> runs = runner.run(output.threads, console);
   if (question.is_batch()) {
     output.json ? write_recorded_batch_json(console.out(), question, runs)
                 : write_recorded_batch_text(console.out(), runs);
-    return are_enough(runs, output.required_percent) ? ExitStatus::kSuccess : ExitStatus::kNegative;
+    return status_of(are_enough(runs, output.required_percent,
+                                [](const JudgedRun& run) { return run.converged(); }));
   }
   output.json ? write_recorded_run_json(console.out(), question, runs.front())
               : write_recorded_run_text(console.out(), runs.front());
-  return runs.front().converged() ? ExitStatus::kSuccess : ExitStatus::kNegative;
+  return status_of(runs.front().converged());
 }
 
 }  // namespace mapwright::cli

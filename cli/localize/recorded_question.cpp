@@ -35,6 +35,15 @@ void refuse_simulation_options(const po::variables_map& values) {
   }
 }
 
+// Those as sharp as the last: what a scan is weighed by in the end.
+std::span<navcore::TrackingStage> last_stages(navcore::RecordedSettings& settings) {
+  auto& stages = settings.tracker.stages;
+  const auto blunt = std::find_if(stages.begin(), stages.end(), [&](const auto& stage) {
+    return stage.sigma_m == stages.back().sigma_m;
+  });
+  return {blunt, stages.end()};
+}
+
 void read_filter(const po::variables_map& values, navcore::RecordedSettings& settings) {
   navcore::FilterSettings& filter = settings.filter;
   const auto number = [&](const char* name, double& target) {
@@ -51,7 +60,8 @@ void read_filter(const po::variables_map& values, navcore::RecordedSettings& set
   number("beta", filter.likelihood.beta);
   number("gamma", filter.likelihood.gamma);
   if (given(values, "sigma")) {
-    settings.search.sigma_m = settings.track.sigma_m = positive_option(values, "sigma");
+    settings.search.sigma_m = positive_option(values, "sigma");
+    for (auto& stage : last_stages(settings)) stage.sigma_m = settings.search.sigma_m;
   }
 }
 
@@ -63,8 +73,8 @@ navcore::RecordedSettings settings_for(const std::string& likelihood) {
 
 void read_beams(const po::variables_map& values, navcore::RecordedSettings& settings) {
   if (given(values, "rays")) {
-    settings.search.beams = settings.track.beams =
-        parse_integer("rays", values["rays"].as<std::string>(), 2, 100'000);
+    settings.search.beams = parse_integer("rays", values["rays"].as<std::string>(), 2, 100'000);
+    for (auto& stage : last_stages(settings)) stage.beams = settings.search.beams;
   }
   if (given(values, "max-range")) settings.max_range_m = positive_option(values, "max-range");
   settings.height_m = positive_option(values, "laser-height");
@@ -125,11 +135,15 @@ void declare_recorded_options(po::options_description& options) {
       "with --log: CSV with columns first_scan,last_scan; runs over each stretch in turn");
   add("from-reference",
       "with --log: track; believe to start at the reference's pose, off by --initial-error");
+  add("kidnap",
+      "with --windows: at its end the robot is carried off to the stretch half the table further "
+      "on, which nobody tells the filter; how long until it is right again?");
 }
 
 bool asks_for_log(const po::variables_map& values) {
   if (values.count("log") > 0) return true;
-  for (const char* name : {"odometry", "first-scan", "last-scan", "windows", "from-reference"}) {
+  for (const char* name :
+       {"odometry", "first-scan", "last-scan", "windows", "from-reference", "kidnap"}) {
     if (values.count(name) > 0) fail_usage(std::string("--") + name + " needs --log");
   }
   return false;
@@ -153,6 +167,8 @@ RecordedQuestion recorded_question(const po::variables_map& values) {
   if (question.is_batch() && (question.first_scan || question.last_scan)) {
     fail_usage("--windows and --first-scan or --last-scan exclude each other");
   }
+  question.kidnap = values.count("kidnap") > 0;
+  if (question.kidnap && !question.is_batch()) fail_usage("--kidnap needs --windows");
   if (question.is_batch() && question.settings.keep_particles) {
     fail_usage("--with-particles: not with --windows");
   }

@@ -22,6 +22,7 @@ struct RecordedQuestion {
   std::string likelihood;  ///< "robust" or "report"
   navcore::RecordedSettings settings;
   bool from_reference = false;  ///< tracking: starts near the reference's pose
+  bool kidnap = false;          ///< after each stretch the robot is carried off to another
   std::uint64_t seed = 1;
 
   bool is_batch() const { return !windows_path.empty(); }

@@ -85,8 +85,9 @@ void add_way(const Json& answer, const Json& shown, const char* key, Colour colo
     if (iteration.contains(key)) way.points.push_back(pose_of(iteration.at(key)).position());
     if (iteration.at("n") == shown.at("n")) break;
   }
+  if (way.points.empty()) return;
+  add_legend(overlay, way, meaning);  // from the first on, so that frames look alike
   if (way.points.size() < 2) return;
-  add_legend(overlay, way, meaning);
   overlay.items.emplace_back(std::move(way));
 }
 

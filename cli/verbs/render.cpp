@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/plan/places.hpp"
@@ -24,7 +25,7 @@ using converter::Colour;
 using converter::PictureLabels;
 
 constexpr std::string_view kDescription =
-    R"(Draws a map as SVG, PNG or PDF, by the extension of the file named with -o. Obstacles are
+    R"(Draws a map as SVG, PNG, PDF or WebP, by the extension of the file named with -o. Obstacles are
 coloured by kind; short strokes show the free side of walls; numbers are heights in metres.
 
 Answers of other verbs (written with --format json) are drawn over the map: scans, localization
@@ -38,6 +39,7 @@ Examples:
   mapwright render campus.txt -o plan.png --overlay plan.json
   mapwright localize campus.txt --pose 40,30,90 --with-particles --format json > loc.json
   mapwright render campus.txt -o loc.png --overlay loc.json --iteration all
+  mapwright render campus.txt -o loc.webp --overlay loc.json --iteration all --frame-time 0.2
 )";
 
 PictureLabels parse_labels(const std::string& text) {
@@ -65,6 +67,12 @@ std::optional<std::size_t> parse_iteration(const std::string& text) {
     fail_usage("--iteration: '" + text + "' is neither a number from 1 nor 'all'");
   }
   return static_cast<std::size_t>(number);
+}
+
+int frame_ms(const std::string& seconds) {
+  const double ms = std::round(1e3 * parse_number("frame-time", seconds));
+  if (ms >= 1.0 && ms <= 60000.0) return static_cast<int>(ms);
+  fail_usage("--frame-time: must be from 0.001 to 60 seconds");
 }
 
 // out.png → out-07.png
@@ -121,13 +129,16 @@ class Render : public Verb {
                po::positional_options_description& positionals) override {
     auto add = options.add_options();
     add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
-    add("output,o", po::value(&output_)->required(), "the picture: .svg, .png or .pdf");
+    add("output,o", po::value(&output_)->required(), "the picture: .svg, .png, .pdf or .webp");
     add("overlay", po::value(&overlay_paths_)->composing(),
         "JSON answer of scan, localize, plan, validate or check to draw over the map; may be given "
         "several times");
     add("iteration", po::value<std::string>(),
         "which iteration of a localization to draw, from 1 (default: the last); 'all' draws each "
-        "into a file of its own: X.png becomes X-01.png, X-02.png ...");
+        "into a file of its own: X.png becomes X-01.png, X-02.png ...; X.webp is one picture that "
+        "moves");
+    add("frame-time", po::value<std::string>(),
+        "seconds that each frame of a picture that moves is shown [0.2]");
     add("scan", po::value<std::string>(),
         "draw a synthetic scan from pose x,y,deg (metres, degrees counter-clockwise from +x), by "
         "the laser of the last options below");
@@ -135,7 +146,7 @@ class Render : public Verb {
     add("bbox", po::value<std::string>(),
         "part to draw: x1,y1,x2,y2 in metres (default: border and all obstacles)");
     add("width", po::value(&options_.width_px)->default_value(options_.width_px),
-        "width of a PNG in pixels, 200 to 20000; SVG and PDF are width/2 points wide");
+        "width of a PNG or WebP in pixels, 200 to 20000; SVG and PDF are width/2 points wide");
     add("labels", po::value<std::string>()->default_value("heights"),
         "what to write beside obstacles where there is room: heights, ids, names or none");
     add("ticks", "draw orientation strokes on the free side of segments (the default)");
@@ -147,7 +158,7 @@ class Render : public Verb {
 
   void configure(const po::variables_map& values) override {
     const auto format = converter::picture_format(output_);
-    if (!format) fail_usage("-o: '" + output_ + "' ends in none of .svg, .png, .pdf");
+    if (!format) fail_usage("-o: '" + output_ + "' ends in none of .svg, .png, .pdf, .webp");
     format_ = *format;
     if (options_.width_px < 200 || options_.width_px > 20000) {
       fail_usage("--width: must be from 200 to 20000 pixels");
@@ -165,6 +176,10 @@ class Render : public Verb {
       iteration_ = parse_iteration(values["iteration"].as<std::string>());
       all_iterations_ = !iteration_;
     }
+    const bool moves = all_iterations_ && format_ == converter::PictureFormat::kWebp;
+    if (values.count("frame-time") == 0) return;
+    if (!moves) fail_usage("--frame-time needs --iteration all and a .webp");
+    frame_ms_ = frame_ms(values["frame-time"].as<std::string>());
   }
 
   ExitStatus run(Console& console) override {
@@ -179,7 +194,9 @@ class Render : public Verb {
     }
     for (const auto& path : overlay_paths_) answers_.emplace_back(path);
     options_.north_deg = north_of(map_path_);
-    if (all_iterations_) {
+    if (all_iterations_ && format_ == converter::PictureFormat::kWebp) {
+      draw_moving(document.map, console);
+    } else if (all_iterations_) {
       draw_frames(document.map, console);
     } else {
       draw(document.map, iteration_, output_, console);
@@ -190,19 +207,39 @@ class Render : public Verb {
  private:
   void draw(const Map& map, std::optional<std::size_t> iteration, const std::string& path,
             Console& console) const {
+    write(value_or_throw(draw_picture(map, overlay(map, iteration), options_, format_)), path,
+          console);
+  }
+
+  converter::Overlay overlay(const Map& map, std::optional<std::size_t> iteration) const {
     converter::Overlay overlay;
     if (circles_) add_circles(map, overlay);
     for (const auto& answer : answers_) answer.draw(overlay, iteration);
     if (scan_) add_synthetic_scan(map, *scan_, laser_, overlay);
-    const std::string picture = value_or_throw(draw_picture(map, overlay, options_, format_));
+    return overlay;
+  }
+
+  static void write(const std::string& picture, const std::string& path, Console& console) {
     write_file(path, [&](std::ostream& out) { out << picture; });
     console.note("wrote " + path);
   }
 
-  void draw_frames(const Map& map, Console& console) const {
+  std::size_t iterations() const {
     std::size_t count = 0;
     for (const auto& answer : answers_) count = std::max(count, answer.iterations());
     if (count == 0) fail_usage("--iteration all: no overlay holds a localization");
+    return count;
+  }
+
+  void draw_moving(const Map& map, Console& console) const {
+    std::vector<converter::Overlay> overlays;
+    const std::size_t count = iterations();
+    for (std::size_t i = 1; i <= count; ++i) overlays.push_back(overlay(map, i));
+    write(value_or_throw(draw_animation(map, overlays, options_, frame_ms_)), output_, console);
+  }
+
+  void draw_frames(const Map& map, Console& console) const {
+    const std::size_t count = iterations();
     for (std::size_t i = 1; i <= count; ++i) {
       draw(map, i, frame_path(output_, i, count), console);
     }
@@ -216,6 +253,7 @@ class Render : public Verb {
   converter::PictureOptions options_;
   std::optional<std::size_t> iteration_;
   bool all_iterations_ = false;
+  int frame_ms_ = 200;
   std::optional<Pose> scan_;
   navcore::LaserModel laser_;
   bool circles_ = false;

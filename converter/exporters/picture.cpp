@@ -8,6 +8,7 @@
 #include "converter/exporters/picture/frame.hpp"
 #include "converter/exporters/picture/labels.hpp"
 #include "converter/exporters/picture/legend.hpp"
+#include "converter/exporters/picture/moving_picture.hpp"
 #include "converter/exporters/picture/obstacles.hpp"
 #include "converter/exporters/picture/overlay.hpp"
 #include "converter/exporters/picture/shapes.hpp"
@@ -78,6 +79,56 @@ void draw_panel(Canvas& canvas, const View& view, const Map& map, const std::vec
   draw_axes(canvas, view);
 }
 
+/// Where everything goes.
+struct Page {
+  View view;
+  std::vector<Shape> shapes;
+  Legend legend;
+  double width_pt, height_pt, legend_top_pt, legend_width_pt;
+};
+
+Page lay_out(const Map& map, const Box& window, const std::vector<LegendEntry>& legend_entries,
+             const PictureOptions& options) {
+  const double width_pt = options.width_px / kPixelsPerPt;
+  const double top_pt = kTop_pt + (options.title.empty() ? 0.0 : kTitle_pt);
+  const View view = make_view(window, width_pt, top_pt);
+  auto shapes = shapes_in_view(map, view);
+  Legend legend(shapes, options, legend_entries);
+  const double legend_width_pt = width_pt - kLeft_pt - kRight_pt - kScaleBarRow_pt;
+  const double legend_top_pt = view.panel.max_y + kBelowPanel_pt;
+  const double height_pt =
+      legend_top_pt + std::max(legend.height_pt(legend_width_pt), 24.0) + kBottom_pt;
+  return {view,          std::move(shapes), std::move(legend), width_pt, std::ceil(height_pt),
+          legend_top_pt, legend_width_pt};
+}
+
+void draw_page(Canvas& canvas, const Page& page, const Map& map, const Overlay& overlay,
+               const PictureOptions& options) {
+  if (!options.title.empty()) {
+    canvas.text({kLeft_pt, kTop_pt + 9.0}, options.title, {.size_pt = 12.0, .bold = true});
+  }
+  draw_panel(canvas, page.view, map, page.shapes, overlay, options);
+  page.legend.draw(canvas, {kLeft_pt, page.legend_top_pt}, page.legend_width_pt);
+  draw_scale_bar(canvas, page.view, {page.width_pt - kRight_pt - 8.0, page.legend_top_pt + 9.0});
+  if (options.north_deg) {
+    draw_north_arrow(canvas,
+                     {page.width_pt - kRight_pt - kScaleBarRow_pt + 16.0, page.legend_top_pt + 9.0},
+                     *options.north_deg);
+  }
+}
+
+// What any of them says, in the order in which it is first said.
+std::vector<LegendEntry> common_legend(std::span<const Overlay> overlays) {
+  std::vector<LegendEntry> all;
+  for (const Overlay& overlay : overlays) {
+    for (const LegendEntry& entry : overlay.legend) {
+      const auto same = [&](const LegendEntry& other) { return other.text == entry.text; };
+      if (std::none_of(all.begin(), all.end(), same)) all.push_back(entry);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<PictureFormat> picture_format(std::string_view path) {
@@ -89,36 +140,40 @@ std::optional<PictureFormat> picture_format(std::string_view path) {
   if (extension == "svg") return PictureFormat::kSvg;
   if (extension == "png") return PictureFormat::kPng;
   if (extension == "pdf") return PictureFormat::kPdf;
+  if (extension == "webp") return PictureFormat::kWebp;
   return std::nullopt;
 }
 
 Result<std::string> draw_picture(const Map& map, const Overlay& overlay,
                                  const PictureOptions& options, PictureFormat format) {
+  if (format == PictureFormat::kWebp) return draw_animation(map, {&overlay, 1}, options, 1000);
   const auto window = checked_window(map, options);
   if (!window) return tl::unexpected(window.error());
-
-  const double width_pt = options.width_px / kPixelsPerPt;
-  const double top_pt = kTop_pt + (options.title.empty() ? 0.0 : kTitle_pt);
-  const View view = make_view(*window, width_pt, top_pt);
-  const auto shapes = shapes_in_view(map, view);
-  const Legend legend(shapes, options, overlay.legend);
-  const double legend_width_pt = width_pt - kLeft_pt - kRight_pt - kScaleBarRow_pt;
-  const double legend_top_pt = view.panel.max_y + kBelowPanel_pt;
-  const double height_pt =
-      legend_top_pt + std::max(legend.height_pt(legend_width_pt), 24.0) + kBottom_pt;
-
-  Canvas canvas(format, width_pt, std::ceil(height_pt), kPixelsPerPt);
-  if (!options.title.empty()) {
-    canvas.text({kLeft_pt, kTop_pt + 9.0}, options.title, {.size_pt = 12.0, .bold = true});
-  }
-  draw_panel(canvas, view, map, shapes, overlay, options);
-  legend.draw(canvas, {kLeft_pt, legend_top_pt}, legend_width_pt);
-  draw_scale_bar(canvas, view, {width_pt - kRight_pt - 8.0, legend_top_pt + 9.0});
-  if (options.north_deg) {
-    draw_north_arrow(canvas, {width_pt - kRight_pt - kScaleBarRow_pt + 16.0, legend_top_pt + 9.0},
-                     *options.north_deg);
-  }
+  const Page page = lay_out(map, *window, overlay.legend, options);
+  Canvas canvas(format, page.width_pt, page.height_pt, kPixelsPerPt);
+  draw_page(canvas, page, map, overlay, options);
   return canvas.finish();
+}
+
+Result<std::string> draw_animation(const Map& map, std::span<const Overlay> overlays,
+                                   const PictureOptions& options, int frame_ms) {
+  const auto window = checked_window(map, options);
+  if (!window) return tl::unexpected(window.error());
+  const Page page = lay_out(map, *window, common_legend(overlays), options);
+  if (std::max(page.width_pt, page.height_pt) * kPixelsPerPt > MovingPicture::kMostPixels) {
+    return usage_failure(
+        "WebP holds pictures of at most 16383 pixels a side; choose a smaller one");
+  }
+  if (overlays.empty()) return usage_failure("there is no frame to draw");
+  MovingPicture picture(frame_ms);
+  for (const Overlay& overlay : overlays) {
+    Canvas canvas(PictureFormat::kWebp, page.width_pt, page.height_pt, kPixelsPerPt);
+    draw_page(canvas, page, map, overlay, options);
+    const auto pixels = canvas.pixels();
+    if (!pixels) return tl::unexpected(pixels.error());
+    picture.add(*pixels);
+  }
+  return picture.finish();
 }
 
 }  // namespace mapwright::converter

@@ -1,8 +1,9 @@
-// Pictures of a map: SVG, PNG and PDF.
+// Pictures of a map: SVG, PNG, PDF and, where they move, WebP.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,7 +15,7 @@
 
 namespace mapwright::converter {
 
-enum class PictureFormat { kSvg, kPng, kPdf };
+enum class PictureFormat { kSvg, kPng, kPdf, kWebp };
 
 /// The format a file name asks for by its extension, in upper or lower case.
 std::optional<PictureFormat> picture_format(std::string_view path);
@@ -108,7 +109,7 @@ enum class PictureLabels { kNone, kHeights, kIds, kNames };
 struct PictureOptions {
   std::string title;          ///< empty: none
   std::optional<Box> window;  ///< metres, map frame; nothing: border and all obstacles
-  int width_px = 1600;        ///< in [200, 20000]; of PNG; SVG and PDF are width/2 points wide
+  int width_px = 1600;  ///< in [200, 20000]; of PNG and WebP; SVG and PDF are width/2 points wide
   PictureLabels labels = PictureLabels::kHeights;
   bool orientation_ticks = true;    ///< short strokes on the free side of segments
   std::optional<double> north_deg;  ///< direction of true north, counter-clockwise from +x
@@ -120,5 +121,11 @@ struct PictureOptions {
 /// Errors: a window without area, numbers that are not finite, a picture the library cannot hold.
 Result<std::string> draw_picture(const Map& map, const Overlay& overlay,
                                  const PictureOptions& options, PictureFormat format);
+
+/// The same map with one overlay after another, each shown for `frame_ms` (1 to 60000)
+/// milliseconds, again and again: an animated WebP without loss of colour. The legend is that of
+/// all overlays. Same errors; and a picture more than 16383 pixels wide or high.
+Result<std::string> draw_animation(const Map& map, std::span<const Overlay> overlays,
+                                   const PictureOptions& options, int frame_ms);
 
 }  // namespace mapwright::converter

@@ -83,6 +83,7 @@ void ParticleFilter::use(const ScanLook& look) {
   settings_.temper = look.temper;
   settings_.elsewhere = look.elsewhere;
   settings_.elsewhere_particles = look.elsewhere_particles;
+  settings_.nearby_share = look.nearby_share;
   if (settings_.kld) settings_.kld->least = std::min(look.least_particles, settings_.particles);
 }
 
@@ -97,6 +98,14 @@ void ParticleFilter::start_at(const Pose& pose, double sigma_m, double sigma_deg
     poses[i] = shaken(pose, sigma_m, sigma_deg, random);
   }
   particles_ = with_equal_weights(std::move(poses));
+}
+
+void ParticleFilter::take(ParticleSet particles, const FreeSpace* space) {
+  ++epoch_;
+  space_ = space;
+  lost_ = false;
+  extras_ = 0;
+  particles_ = std::move(particles);
 }
 
 void ParticleFilter::move(const OdometryStep& step) {

@@ -105,6 +105,7 @@ struct ScanLook {
   double elsewhere = 0.0;  ///< as in FilterSettings
   std::size_t elsewhere_particles = 0;
   std::size_t least_particles = 1;
+  double nearby_share = 0.0;  ///< as in FilterSettings
 };
 
 /// What an update did.
@@ -134,6 +135,9 @@ class ParticleFilter {
 
   /// From the next scan on (adaptive NL and NP). `look.weigher` must outlive the filter.
   void use(const ScanLook& look);
+
+  /// Goes on from these particles, which something else has found. `space` as in start_at.
+  void take(ParticleSet particles, const FreeSpace* space);
 
   /// The robot moved; encoders say how.
   void move(const OdometryStep& step);

@@ -17,95 +17,6 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The filter, and the beams it looks at.
-class Localizer {
- public:
-  Localizer(const FreeSpace& space, const ScanWeigher& weigher, const RecordedSettings& settings,
-            std::uint64_t seed)
-      : space_(space),
-        settings_(settings),
-        weigher_(weigher),
-        turned_(weigher, Angle()),
-        filter_(turned_, {}, settings.filter, seed),
-        quality_(settings.quality) {}
-
-  bool start() {
-    if (!settings_.initial_pose) return filter_.start_anywhere(space_, {});
-    filter_.start_at(*settings_.initial_pose, settings_.initial_sigma_m,
-                     settings_.initial_sigma_deg, &space_);
-    was_sure_ = true;
-    return true;
-  }
-
-  void drive(const OdometryStep& step) { filter_.move(step); }
-
-  RecordedIteration look(const RecordedScan& scan) {
-    RecordedIteration result;
-    if (lost_for_ >= settings_.patience) start_over();
-    const LookSettings& how = choice();
-    result.tracked = &how == &settings_.track;
-    SampledScan seen = sample_beams(scan, how.beams, settings_.max_range_m, settings_.height_m);
-    aim(seen, how);
-    result.update = filter_.update(seen.ranges);
-    result.beams = seen.laser.rays;
-    result.estimate = filter_.estimate();
-    result.believes = believes_converged(result.estimate);
-    sure_for_ = result.believes ? sure_for_ + 1 : 0;
-    was_sure_ = was_sure_ || sure_for_ >= settings_.confirmation;
-    quality_.add(fit(seen, result.estimate.pose));
-    lost_for_ = was_sure_ && is_lost() ? lost_for_ + 1 : 0;
-    if (settings_.keep_particles) {
-      result.seen = std::move(seen);
-      result.particles = filter_.particles();
-    }
-    return result;
-  }
-
- private:
-  bool is_lost() const { return quality_.share_lost() >= settings_.lost_share; }
-
-  const LookSettings& choice() const {
-    if (!was_sure_) return settings_.search;
-    return is_lost() || sure_for_ == 0 ? settings_.recover : settings_.track;
-  }
-
-  void start_over() {
-    filter_.start_anywhere(space_, {});
-    quality_ = ScanQuality(settings_.quality);
-    was_sure_ = false;
-    sure_for_ = lost_for_ = 0;
-  }
-
-  void aim(const SampledScan& seen, const LookSettings& how) {
-    turned_ = TurnedWeigher(weigher_, seen.heading);
-    ScanLook look{&turned_, seen.laser, settings_.filter.likelihood};
-    look.likelihood.sigma_m = how.sigma_m;
-    look.temper = std::min(1.0, how.evidence / static_cast<double>(seen.laser.rays));
-    look.elsewhere = how.elsewhere;
-    look.elsewhere_particles = how.elsewhere_particles;
-    look.least_particles = how.least_particles;
-    filter_.use(look);
-  }
-
-  // Always by the same σm, so that what the scans fitted then and now can be compared.
-  double fit(const SampledScan& seen, const Pose& pose) const {
-    double log_factor = 0.0;
-    turned_.weigh(seen.ranges, seen.laser, settings_.filter.likelihood, {&pose, 1},
-                  {&log_factor, 1}, 1);
-    return std::exp(log_factor / static_cast<double>(seen.laser.rays));
-  }
-
-  const FreeSpace& space_;
-  const RecordedSettings& settings_;
-  const ScanWeigher& weigher_;
-  TurnedWeigher turned_;
-  ParticleFilter filter_;
-  ScanQuality quality_;
-  bool was_sure_ = false;     ///< has been converged for long enough, or told where it is
-  std::size_t sure_for_ = 0;  ///< scans in a row that it was converged
-  std::size_t lost_for_ = 0;  ///< scans in a row that fitted too badly
-};
-
 void compare(RecordedIteration& iteration) {
   if (!iteration.reference) return;
   const Pose& pose = iteration.estimate.pose;
@@ -135,45 +46,6 @@ bool RecordedIteration::is_right() const {
   return position_error_m <= kRight_m && heading_error.degrees() <= kRight_deg;
 }
 
-RecordedSettings recorded_settings() {
-  RecordedSettings settings;
-  FilterSettings& filter = settings.filter;
-  filter = robust_settings();
-  filter.keep_effective = 0.0;
-  filter.first_sweeps = 0;
-  filter.place_power = 1.0;
-  filter.elsewhere_worth = 1e-3;
-  filter.settled_share = 2.0;
-  filter.first_particles = 200000;
-  filter.particles = 20000;
-  filter.likelihood = {LikelihoodKind::kRobust, 1.0, 0.5, 0.5, 0.15};
-  filter.shortest_move_m = 0.01;
-  filter.longest_move_m = 0.3;
-  filter.smallest_turn_deg = 0.1;
-  filter.largest_turn_deg = 2.0;
-  filter.odometry = {0.1, 0.05, 0.1, 0.05};
-  filter.nearby_share = 0.3;
-  filter.kld = KldSettings{};
-  filter.least_part = 1.0 / 3.0;
-  settings.lost_share = 0.6;
-  settings.confirmation = 8;
-  settings.quality = {0.05, 0.4};
-  settings.search = {61, 0.15, 8.0, 8000, 0.01, 6000};
-  settings.track = {91, 0.04, 36.0, 120};
-  settings.recover = {61, 0.15, 8.0, 3000, 5e-4, 3000};
-  return settings;
-}
-
-RecordedSettings recorded_report_settings() {
-  RecordedSettings settings;
-  settings.filter = report_settings();
-  const double all = std::numeric_limits<double>::infinity();
-  settings.search = settings.track =
-      settings.recover = {131, settings.filter.likelihood.sigma_m, all, settings.filter.particles};
-  settings.max_range_m = 15.0;
-  return settings;
-}
-
 Result<RecordedRun> run_recorded(const FreeSpace& space, const ScanWeigher& weigher,
                                  const RecordedSettings& settings,
                                  std::span<const RecordedStep> steps, std::size_t first,
@@ -185,7 +57,8 @@ Result<RecordedRun> run_recorded(const FreeSpace& space, const ScanWeigher& weig
   for (std::size_t i = first; i <= last; ++i) {
     const double start_s = processor_seconds();
     if (i > first) localizer.drive(step_between(steps[i - 1].odometry, steps[i].odometry));
-    RecordedIteration iteration = localizer.look(steps[i].scan);
+    RecordedIteration iteration;
+    static_cast<LocalizerLook&>(iteration) = localizer.look(steps[i].scan);
     iteration.processor_s = processor_seconds() - start_s;
     iteration.scan = i;
     iteration.time_s = steps[i].scan.time_s;

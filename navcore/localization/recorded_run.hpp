@@ -9,9 +9,7 @@
 
 #include "mapcore/result.hpp"
 #include "navcore/free_space.hpp"
-#include "navcore/localization/beam_sampling.hpp"
-#include "navcore/localization/particle_filter.hpp"
-#include "navcore/localization/scan_quality.hpp"
+#include "navcore/localization/localizer.hpp"
 
 namespace mapwright::navcore {
 
@@ -22,58 +20,14 @@ struct RecordedStep {
   std::optional<Pose> reference;  ///< map frame, where known
 };
 
-/// How the filter looks at a scan.
-struct LookSettings {
-  std::size_t beams = 61;  ///< NL
-  double sigma_m = 0.15;   ///< σm
-  double evidence = 12.0;  ///< neighbouring beams err together: a scan counts as so many
-                           ///< independent beams, whatever NL (τ = this / NL)
-  std::size_t least_particles = 100;
-  double elsewhere = 0.0;  ///< as in FilterSettings
-  std::size_t elsewhere_particles = 0;
-};
-
-struct RecordedSettings {
-  FilterSettings filter;
-  double max_range_m = 25.0;    ///< longer readings say no more than that
-  double height_m = 0.5;        ///< of the laser
-  bool keep_particles = false;  ///< in the iterations, with what was seen
-
-  /// A filter searches until it has been converged for a while: many particles, blunt, and the
-  /// robot may be anywhere. Then it tracks: few particles, sharp. Where scans no longer fit as they
-  /// used to it recovers, more soberly than it searches; if that does not help it starts over.
-  LookSettings search, track, recover;
-  std::size_t confirmation = 5;  ///< converged for so many scans in a row
-  double lost_share = 0.3;       ///< recovers where ScanQuality says more
-  std::size_t patience = 10;     ///< starts over after so many such scans in a row
-  QualityDecay quality;
-
-  std::optional<Pose> initial_pose;  ///< tracking; else global localization, heading unknown
-  double initial_sigma_m = 0.3;
-  double initial_sigma_deg = 5.0;
-};
-
-/// Settings for recorded logs (docs/localization.md says where they come from).
-RecordedSettings recorded_settings();
-
-/// The report's filter to the letter, on all beams up to the report's 131.
-RecordedSettings recorded_report_settings();
-
 /// The state after one scan.
-struct RecordedIteration {
+struct RecordedIteration : LocalizerLook {
   std::size_t scan = 0;  ///< its number in the log, from 0
   double time_s = 0.0;
-  std::size_t beams = 0;
-  UpdateReport update;
-  PoseEstimate estimate;
-  bool tracked = false;   ///< looked at sharply
-  bool believes = false;  ///< the filter takes itself for converged
   std::optional<Pose> reference;
   double position_error_m = 0.0;  ///< with a reference
   Angle heading_error;            ///< >= 0, with a reference
   double processor_s = 0.0;       ///< of this thread; all that the scan took
-  SampledScan seen;               ///< with keep_particles
-  ParticleSet particles;          ///< with keep_particles
 
   bool is_right() const;  ///< within kRight_m and kRight_deg of the reference
 };

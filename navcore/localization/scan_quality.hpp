@@ -16,12 +16,16 @@ class ScanQuality {
  public:
   explicit ScanQuality(const QualityDecay& decay) : decay_(decay) {}
 
-  /// `fit` > 0: likelihood a beam, the geometric mean over the beams of a scan.
-  void add(double fit) {
+  /// `fit` > 0: likelihood a beam, the geometric mean over the beams of a scan. While the robot is
+  /// `lost` the long-term average stays as it is: nobody gets used to a wrong place.
+  void add(double fit, bool lost = false) {
     if (slow_ == 0.0) slow_ = fast_ = fit;
-    slow_ += decay_.slow * (fit - slow_);
+    if (!lost) slow_ += decay_.slow * (fit - slow_);
     fast_ += decay_.fast * (fit - fast_);
   }
+
+  /// Elsewhere scans fit so: what they used to fit still counts.
+  void begin_anew(double fit) { fast_ = fit; }
 
   /// max(0, 1 − short-term / long-term): the book's share of random particles.
   double share_lost() const { return slow_ > 0.0 ? std::max(0.0, 1.0 - fast_ / slow_) : 0.0; }

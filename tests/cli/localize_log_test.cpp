@@ -104,6 +104,27 @@ TEST_F(LocalizeLog, AnswersManyStretches) {
   EXPECT_EQ(Json::parse(localize(with_json).out), json);
 }
 
+TEST_F(LocalizeLog, AnswersHowLongItWasLostAfterAKidnapping) {
+  const auto windows = folder_.file("windows.csv", "first_scan,last_scan\n0,5\n6,11\n");
+  std::vector<std::string> options{"--odometry", odometry_,  "--windows",
+                                   windows,      "--kidnap", "--from-reference"};
+  const auto text = localize(options);
+  EXPECT_NE(text.out.find("right before"), std::string::npos) << text.out;
+  options.insert(options.end(), {"--format", "json"});
+  const auto answer = localize(options);
+  const Json json = Json::parse(answer.out);
+  EXPECT_EQ(json["trials"], 2);
+  EXPECT_EQ(json["right_before"], 2);
+  EXPECT_EQ(json["runs"][0]["before"]["last_scan"], 5);
+  EXPECT_EQ(json["runs"][0]["after"]["first_scan"], 6);
+  EXPECT_NEAR(json["runs"][0]["carried_m"].get<double>(), 0.25, 1e-9);
+  EXPECT_NEAR(json["runs"][1]["carried_m"].get<double>(), 2.75, 1e-9);
+  EXPECT_EQ(json["runs"][0]["recovered"], true);  // a quarter of a metre is no loss
+  EXPECT_EQ(json["runs"][0]["scans_to_recover"], 1);
+  options.insert(options.end(), {"--threads", "1"});
+  EXPECT_EQ(localize(options).out, answer.out);
+}
+
 TEST_F(LocalizeLog, AnswersTheSameOnAnyNumberOfThreads) {
   const std::vector<std::string> options{"--initial-pose", "2,1.5,0", "--with-particles",
                                          "--format", "json"};
@@ -122,12 +143,23 @@ TEST_F(LocalizeLog, IsDrawnWithBothWays) {
       run({"render", map_, "--overlay", overlay, "-o", picture, "--iteration", "all"});
   EXPECT_EQ(frames.status, 0) << frames.err;
   EXPECT_TRUE(std::filesystem::exists(folder_.path("loc-12.svg")));
+  const auto moving = folder_.path("loc.webp");
+  const auto animation = run({"render", map_, "--overlay", overlay, "-o", moving, "--iteration",
+                              "all", "--frame-time", "0.1", "--width", "400"});
+  EXPECT_EQ(animation.status, 0) << animation.err;
+  EXPECT_EQ(run({"render", map_, "--overlay", overlay, "-o", moving, "--frame-time", "0.1"}).status,
+            2);  // a still picture has no frames
+  EXPECT_EQ(run({"render", map_, "--overlay", overlay, "-o", moving, "--iteration", "all",
+                 "--frame-time", "0"})
+                .status,
+            2);
 }
 
 TEST_F(LocalizeLog, RefusesWhatMakesNoSense) {
   EXPECT_EQ(localize({"--pose", "1,1,0"}).status, 2);
   EXPECT_EQ(localize({"--fov", "90"}).status, 2);
-  EXPECT_EQ(localize({"--from-reference"}).status, 2);  // no reference
+  EXPECT_EQ(localize({"--from-reference"}).status, 2);                   // no reference
+  EXPECT_EQ(localize({"--odometry", odometry_, "--kidnap"}).status, 2);  // nowhere to
   EXPECT_EQ(localize({"--first-scan", "3", "--last-scan", "12"}).status, 2);
   EXPECT_EQ(run({"localize", map_, "--pose", "1,1,0", "--odometry", odometry_}).status, 2);
   const auto windows = folder_.file("windows.csv", "first_scan,last_scan\n0,9\n5,12\n");

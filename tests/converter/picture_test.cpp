@@ -54,6 +54,7 @@ TEST(Picture, KnowsFormatsByExtension) {
   EXPECT_EQ(picture_format("a/b.svg"), PictureFormat::kSvg);
   EXPECT_EQ(picture_format("b.PNG"), PictureFormat::kPng);
   EXPECT_EQ(picture_format("x.y.pdf"), PictureFormat::kPdf);
+  EXPECT_EQ(picture_format("b.webp"), PictureFormat::kWebp);
   EXPECT_EQ(picture_format("b.jpg"), std::nullopt);
   EXPECT_EQ(picture_format("svg"), std::nullopt);
 }

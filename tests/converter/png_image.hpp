@@ -66,6 +66,10 @@ class PngImage {
     cairo_surface_destroy(surface);
   }
 
+  /// Pixels 0xRRGGBB, row by row from the top.
+  PngImage(int width, int height, std::vector<std::uint32_t> pixels)
+      : width_(width), height_(height), pixels_(std::move(pixels)) {}
+
   int width() const { return width_; }
   int height() const { return height_; }
 

@@ -41,6 +41,11 @@ TEST(ScanQuality, IsLostWhileScansFitWorseThanTheyUsedTo) {
   EXPECT_NEAR(quality.share_lost(), 0.0, 1e-12);
   quality.add(0.2);
   EXPECT_GT(quality.share_lost(), 0.3);
+  ScanQuality lost = quality;
+  for (int i = 0; i < 300; ++i) lost.add(0.2, true);
+  EXPECT_NEAR(lost.share_lost(), 0.9, 0.05);  // nobody gets used to a wrong place
+  lost.begin_anew(2.0);
+  EXPECT_NEAR(lost.share_lost(), 0.0, 0.05);
   for (int i = 0; i < 300; ++i) quality.add(0.2);
   EXPECT_NEAR(quality.share_lost(), 0.0, 1e-3);
 }

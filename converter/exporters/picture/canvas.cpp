@@ -5,6 +5,7 @@
 #include <cairo.h>
 
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace mapwright::converter {
@@ -32,6 +33,14 @@ cairo_surface_t* make_surface(PictureFormat format, double width_pt, double heig
   return cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                     static_cast<int>(std::lround(width_pt * pixels_per_pt)),
                                     static_cast<int>(std::lround(height_pt * pixels_per_pt)));
+}
+
+bool is_of_pixels(PictureFormat format) {
+  return format == PictureFormat::kPng || format == PictureFormat::kWebp;
+}
+
+Failure drawing_failure(cairo_status_t status) {
+  return {FailureKind::kOutput, std::string("picture: ") + cairo_status_to_string(status)};
 }
 
 void select_font(cairo_t* cairo, const TextStyle& style) {
@@ -110,7 +119,7 @@ Canvas::Canvas(PictureFormat format, double width_pt, double height_pt, double p
   impl_->format = format;
   impl_->surface = make_surface(format, width_pt, height_pt, pixels_per_pt, impl_->bytes);
   impl_->cairo = cairo_create(impl_->surface);
-  if (format == PictureFormat::kPng) cairo_scale(impl_->cairo, pixels_per_pt, pixels_per_pt);
+  if (is_of_pixels(format)) cairo_scale(impl_->cairo, pixels_per_pt, pixels_per_pt);
   use_unhinted_metrics(impl_->cairo);
   cairo_set_line_join(impl_->cairo, CAIRO_LINE_JOIN_ROUND);
   cairo_set_fill_rule(impl_->cairo, CAIRO_FILL_RULE_EVEN_ODD);
@@ -203,10 +212,29 @@ Result<std::string> Canvas::finish() {
   cairo_surface_finish(impl_->surface);
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(impl_->surface);
   if (status != CAIRO_STATUS_SUCCESS) {
-    return output_failure(std::string("picture: ") + cairo_status_to_string(status));
+    return tl::unexpected(drawing_failure(status));
   }
   if (impl_->format == PictureFormat::kSvg) return without_surface_numbers(impl_->bytes);
   return impl_->bytes;
+}
+
+Result<Pixels> Canvas::pixels() {
+  cairo_surface_flush(impl_->surface);
+  const auto status = cairo_status(impl_->cairo);
+  if (status != CAIRO_STATUS_SUCCESS) return tl::unexpected(drawing_failure(status));
+  Pixels pixels{cairo_image_surface_get_width(impl_->surface),
+                cairo_image_surface_get_height(impl_->surface),
+                {}};
+  const auto* data = cairo_image_surface_get_data(impl_->surface);
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(impl_->surface));
+  const auto width = static_cast<std::size_t>(pixels.width);
+  const auto height = static_cast<std::size_t>(pixels.height);
+  pixels.colours.resize(width * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    std::memcpy(&pixels.colours[y * width], data + y * stride, 4 * width);
+  }
+  for (auto& colour : pixels.colours) colour &= 0xFFFFFFU;  // the fourth byte is not in use
+  return pixels;
 }
 
 }  // namespace mapwright::converter

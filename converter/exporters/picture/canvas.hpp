@@ -1,10 +1,12 @@
 // A page to draw on: the only place that knows the drawing library.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "converter/exporters/picture.hpp"
 
@@ -28,6 +30,12 @@ struct TextSize {
 };
 
 TextSize text_size(std::string_view text, const TextStyle& style);
+
+/// Rows from the top, pixels from left to right, 0xRRGGBB.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> colours;
+};
 
 /// A page of points (1/72 inch), x to the right, y down. Paths are collected by `add_*` and used up
 /// by `fill` or `stroke`.
@@ -55,6 +63,9 @@ class Canvas {
 
   /// Ends the drawing and gives the file's bytes. Errors: the library ran out of memory or limits.
   Result<std::string> finish();
+
+  /// The same for WebP, which is made of pixels by others.
+  Result<Pixels> pixels();
 
  private:
   struct Impl;

@@ -1,0 +1,223 @@
+#include "navcore/localization/localizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "navcore/localization/experiment.hpp"
+
+namespace mapwright::navcore {
+namespace {
+
+// What the tracker has in common with the filter.
+TrackerSettings tracker_settings(const RecordedSettings& settings) {
+  TrackerSettings tracker = settings.tracker;
+  tracker.likelihood = settings.filter.likelihood;
+  tracker.odometry = settings.filter.odometry;
+  tracker.max_range_m = settings.max_range_m;
+  tracker.height_m = settings.height_m;
+  return tracker;
+}
+
+// Those of the mode that the pose is the middle of.
+ParticleSet around(const ParticleSet& particles, const Pose& pose) {
+  ParticleSet mode;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Pose& p = particles.poses[i];
+    const double turn_deg = (p.theta - pose.theta).wrapped().degrees();
+    if (distance(p.position(), pose.position()) > kModeRadius_m) continue;
+    if (std::abs(turn_deg) > kModeHeading_deg) continue;
+    mode.poses.push_back(p);
+    mode.weights.push_back(particles.weights[i]);
+    sum += particles.weights[i];
+  }
+  if (!(sum > 0.0)) return with_equal_weights({pose});
+  for (double& weight : mode.weights) weight /= sum;
+  return mode;
+}
+
+bool are_apart(const Pose& a, const Pose& b) {
+  const Angle turn = (a.theta - b.theta).wrapped();
+  return distance(a.position(), b.position()) > kRight_m || std::abs(turn.degrees()) > kRight_deg;
+}
+
+}  // namespace
+
+Localizer::Localizer(const FreeSpace& space, const ScanWeigher& weigher,
+                     const RecordedSettings& settings, std::uint64_t seed)
+    : space_(space),
+      settings_(settings),
+      weigher_(weigher),
+      turned_(weigher, Angle()),
+      filter_(turned_, {}, settings.filter, seed),
+      tracker_(weigher, tracker_settings(settings), seed),
+      quality_(settings.quality) {}
+
+bool Localizer::start() {
+  if (!settings_.initial_pose) return filter_.start_anywhere(space_, {});
+  filter_.start_at(*settings_.initial_pose, settings_.initial_sigma_m, settings_.initial_sigma_deg,
+                   &space_);
+  if (has_tracker()) follow({*settings_.initial_pose});
+  return true;
+}
+
+void Localizer::drive(const OdometryStep& step) {
+  if (tracking_) tracker_.move(step);
+  if (!tracking_ || challenged_) filter_.move(step);
+}
+
+LocalizerLook Localizer::look(const RecordedScan& scan) {
+  LocalizerLook result;
+  result.tracked = tracking_;
+  tracking_ ? track(scan, result) : search(scan, result);
+  if (settings_.keep_particles) {
+    result.seen = sample(scan, result.beams);
+    result.particles = particles();
+  }
+  return result;
+}
+
+const ParticleSet& Localizer::particles() const {
+  return tracking_ ? tracker_.particles() : filter_.particles();
+}
+
+void Localizer::search(const RecordedScan& scan, LocalizerLook& result) {
+  result.update = update_filter(scan, settings_.search);
+  result.beams = turned_beams_;
+  result.estimate = filter_.estimate();
+  result.believes = believes_converged(result.estimate);
+  sure_for_ = result.believes ? sure_for_ + 1 : 0;
+  if (has_tracker() && sure_for_ >= settings_.confirmation) follow(result.estimate);
+}
+
+void Localizer::track(const RecordedScan& scan, LocalizerLook& result) {
+  result.update = tracker_.update(scan, 1.0 - quality_.share_lost());
+  result.beams = tracker_.beams();
+  result.estimate = estimate_pose(tracker_.particles());
+  quality_.add(std::exp(log_fit(scan, result.estimate.pose)), lost_for_ > 0);
+  const bool lost = quality_.share_lost() >= settings_.lost_share;
+  lost_for_ = lost ? lost_for_ + 1 : 0;
+  result.doubted = lost;
+  result.believes = !lost && believes_converged(result.estimate);
+  if (lost) {
+    challenge(scan, result);
+  } else {
+    challenged_ = false;
+  }
+}
+
+// The filter begins where the tracker is, looks nearby, then elsewhere, at last everywhere.
+void Localizer::challenge(const RecordedScan& scan, LocalizerLook& result) {
+  if (!challenged_) {
+    filter_.take(tracker_.particles(), &space_);
+    advantage_ = 0.0;
+    everywhere_ = false;
+    search_after_ = settings_.patience;
+  }
+  challenged_ = true;
+  if (lost_for_ > search_after_) {
+    everywhere_ = filter_.start_anywhere(space_, {});
+    search_after_ = 2 * lost_for_;
+    advantage_ = 0.0;
+  }
+  const UpdateReport update =
+      update_filter(scan, everywhere_ ? settings_.search : settings_.recover);
+  result.update.particles += update.particles;
+  weigh_challenger(scan, filter_.estimate(), result);
+}
+
+// One place against the other, by all the scans since they are two.
+void Localizer::weigh_challenger(const RecordedScan& scan, const PoseEstimate& estimate,
+                                 LocalizerLook& result) {
+  if (!believes_converged(estimate) || !are_apart(estimate.pose, result.estimate.pose)) {
+    advantage_ = 0.0;
+    return;
+  }
+  const double there = log_fit(scan, estimate.pose);
+  const double better = there - log_fit(scan, result.estimate.pose);
+  advantage_ = std::max(0.0, advantage_ + settings_.recover.evidence * better);
+  if (advantage_ < settings_.conviction) return;
+  follow(estimate);
+  quality_.begin_anew(std::exp(there));
+  result.estimate = estimate;
+}
+
+void Localizer::follow(const PoseEstimate& estimate) {
+  tracker_.start(around(filter_.particles(), estimate.pose));
+  tracking_ = true;
+  challenged_ = false;
+  sure_for_ = lost_for_ = 0;
+}
+
+SampledScan Localizer::sample(const RecordedScan& scan, std::size_t beams) const {
+  return sample_beams(scan, beams, settings_.max_range_m, settings_.height_m);
+}
+
+UpdateReport Localizer::update_filter(const RecordedScan& scan, const LookSettings& how) {
+  const SampledScan seen = sample(scan, how.beams);
+  turned_ = TurnedWeigher(weigher_, seen.heading);
+  turned_beams_ = seen.laser.rays;
+  ScanLook look{&turned_, seen.laser, settings_.filter.likelihood};
+  look.likelihood.sigma_m = how.sigma_m;
+  look.temper = std::min(1.0, how.evidence / static_cast<double>(seen.laser.rays));
+  look.elsewhere = how.elsewhere;
+  look.elsewhere_particles = how.elsewhere_particles;
+  look.least_particles = how.least_particles;
+  look.nearby_share = settings_.filter.nearby_share;
+  filter_.use(look);
+  return filter_.update(seen.ranges);
+}
+
+// Mean over the beams. Always by the same σm, so that what the scans fitted then and now can be
+// compared.
+double Localizer::log_fit(const RecordedScan& scan, const Pose& pose) const {
+  const SampledScan seen = sample(scan, settings_.search.beams);
+  double log_factor = 0.0;
+  TurnedWeigher(weigher_, seen.heading)
+      .weigh(seen.ranges, seen.laser, settings_.filter.likelihood, {&pose, 1}, {&log_factor, 1}, 1);
+  return log_factor / static_cast<double>(seen.laser.rays);
+}
+
+RecordedSettings recorded_settings() {
+  RecordedSettings settings;
+  FilterSettings& filter = settings.filter;
+  filter = robust_settings();
+  filter.keep_effective = 0.0;
+  filter.first_sweeps = 0;
+  filter.place_power = 1.0;
+  filter.elsewhere_worth = 1e-3;
+  filter.settled_share = 2.0;
+  filter.first_particles = 200000;
+  filter.particles = 20000;
+  filter.likelihood = {LikelihoodKind::kRobust, 1.0, 0.5, 0.5, 0.15};
+  filter.shortest_move_m = 0.01;
+  filter.longest_move_m = 0.3;
+  filter.smallest_turn_deg = 0.1;
+  filter.largest_turn_deg = 2.0;
+  filter.odometry = {0.1, 0.05, 0.1, 0.05};
+  filter.nearby_share = 0.3;
+  filter.kld = KldSettings{};
+  filter.least_part = 1.0 / 3.0;
+  settings.lost_share = 0.6;
+  settings.confirmation = 8;
+  settings.quality = {0.05, 0.4};
+  settings.search = {61, 0.15, 8.0, 8000, 0.01, 6000};
+  TrackerSettings& tracker = settings.tracker;
+  tracker.stages = {{46, 0.2, 12.0}, {61, 0.1, 20.0}, {91, 0.045, 36.0}, {91, 0.045, 36.0}};
+  tracker.kld = {0.1, 2.326, 0.5, 10.0, 100};
+  settings.recover = {61, 0.15, 8.0, 3000, 5e-4, 3000};
+  return settings;
+}
+
+RecordedSettings recorded_report_settings() {
+  RecordedSettings settings;
+  settings.filter = report_settings();
+  const double all = std::numeric_limits<double>::infinity();
+  settings.search =
+      settings.recover = {131, settings.filter.likelihood.sigma_m, all, settings.filter.particles};
+  settings.max_range_m = 15.0;
+  return settings;
+}
+
+}  // namespace mapwright::navcore

@@ -1,0 +1,116 @@
+// Localization scan by scan: search, tracking, recovery.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "navcore/free_space.hpp"
+#include "navcore/localization/beam_sampling.hpp"
+#include "navcore/localization/particle_filter.hpp"
+#include "navcore/localization/pose_tracker.hpp"
+#include "navcore/localization/scan_quality.hpp"
+
+namespace mapwright::navcore {
+
+/// How the filter looks at a scan.
+struct LookSettings {
+  std::size_t beams = 61;  ///< NL
+  double sigma_m = 0.15;   ///< σm
+  double evidence = 12.0;  ///< neighbouring beams err together: a scan counts as so many
+                           ///< independent beams, whatever NL (τ = this / NL)
+  std::size_t least_particles = 100;
+  double elsewhere = 0.0;  ///< as in FilterSettings
+  std::size_t elsewhere_particles = 0;
+};
+
+struct RecordedSettings {
+  FilterSettings filter;
+  double max_range_m = 25.0;    ///< longer readings say no more than that
+  double height_m = 0.5;        ///< of the laser
+  bool keep_particles = false;  ///< in the iterations, with what was seen
+
+  /// A filter searches until it has been converged for a while: many particles, blunt, and the
+  /// robot may be anywhere. Then a tracker goes on: few particles, sharp. While scans do not fit as
+  /// they used to, a filter beside it looks for a place that fits better (it recovers, more soberly
+  /// than it searches) and the tracker gives way when one has been found.
+  LookSettings search, recover;
+  /// Likelihood, odometry, range and height are those of the filter and the ones above.
+  TrackerSettings tracker;       ///< without stages: the filter tracks too, as it recovers
+  std::size_t confirmation = 5;  ///< converged for so many scans in a row
+  double lost_share = 0.3;       ///< recovers where ScanQuality says more
+  std::size_t patience = 10;     ///< searches all of the map after so many, twice as many, …
+  double conviction = 20.0;      ///< logarithm of how many times more likely another place must be
+  QualityDecay quality;
+
+  std::optional<Pose> initial_pose;  ///< tracking; else global localization, heading unknown
+  double initial_sigma_m = 0.3;
+  double initial_sigma_deg = 5.0;
+};
+
+/// Settings for recorded logs (docs/localization.md says where they come from).
+RecordedSettings recorded_settings();
+
+/// The report's filter to the letter, on all beams up to the report's 131.
+RecordedSettings recorded_report_settings();
+
+/// What a scan has shown.
+struct LocalizerLook {
+  std::size_t beams = 0;
+  UpdateReport update;  ///< its particles count those of both filter and tracker
+  PoseEstimate estimate;
+  bool tracked = false;   ///< the estimate is the tracker's
+  bool doubted = false;   ///< scans do not fit as they used to; another place is looked for
+  bool believes = false;  ///< takes itself for converged, and does not doubt it
+  SampledScan seen;       ///< with keep_particles
+  ParticleSet particles;  ///< with keep_particles
+};
+
+/// Finds a robot's place and keeps it. The same settings, seed and inputs give the same answers for
+/// any number of threads.
+class Localizer {
+ public:
+  /// Keeps references to all three.
+  Localizer(const FreeSpace& space, const ScanWeigher& weigher, const RecordedSettings& settings,
+            std::uint64_t seed);
+
+  /// At settings.initial_pose, or anywhere. False if the map has no free space to search.
+  bool start();
+
+  /// The robot moved; encoders say how.
+  void drive(const OdometryStep& step);
+
+  /// The robot took a scan.
+  LocalizerLook look(const RecordedScan& scan);
+
+ private:
+  bool has_tracker() const { return !settings_.tracker.stages.empty(); }
+  const ParticleSet& particles() const;
+  void search(const RecordedScan& scan, LocalizerLook& result);
+  void track(const RecordedScan& scan, LocalizerLook& result);
+  void challenge(const RecordedScan& scan, LocalizerLook& result);
+  void weigh_challenger(const RecordedScan& scan, const PoseEstimate& estimate,
+                        LocalizerLook& result);
+  void follow(const PoseEstimate& estimate);
+  UpdateReport update_filter(const RecordedScan& scan, const LookSettings& how);
+  SampledScan sample(const RecordedScan& scan, std::size_t beams) const;
+  double log_fit(const RecordedScan& scan, const Pose& pose) const;
+
+  const FreeSpace& space_;
+  const RecordedSettings& settings_;
+  const ScanWeigher& weigher_;
+  TurnedWeigher turned_;
+  ParticleFilter filter_;
+  PoseTracker tracker_;
+  ScanQuality quality_;
+  std::size_t turned_beams_ = 0;  ///< that the filter looked at last
+  bool tracking_ = false;         ///< the tracker knows the place
+  bool challenged_ = false;       ///< the filter, beside it, looks for another
+  bool everywhere_ = false;       ///< and has begun anew, in all of the map
+  double advantage_ = 0.0;        ///< log of how much better the filter's place explains the scans
+  std::size_t sure_for_ = 0;      ///< scans in a row that the search was converged
+  std::size_t lost_for_ = 0;      ///< scans in a row that fitted too badly
+  std::size_t search_after_ = 0;  ///< of such scans: begins in all of the map
+};
+
+}  // namespace mapwright::navcore

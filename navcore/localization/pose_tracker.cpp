@@ -1,0 +1,114 @@
+#include "navcore/localization/pose_tracker.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace mapwright::navcore {
+namespace {
+
+// Streams of a seed beside those of the filter, whose numbers are below 2^63.
+constexpr std::uint64_t kStreams = std::uint64_t{1} << 63U;
+
+// Drawing takes longer than casting where deviates are made anew for each scan.
+constexpr std::size_t kDeviates = 4096;
+
+// Proposals have some width even where all the weight is on one particle.
+constexpr double kProposal_m = 0.001;
+constexpr double kProposal_deg = 0.02;
+
+// Weights that leave a smaller effective share are flattened for the next proposal.
+constexpr double kLeastShare = 0.15;
+constexpr int kBisections = 6;
+
+double share_after(std::span<const double> log_weights, double exponent,
+                   std::vector<double>& weights) {
+  const double count = static_cast<double>(log_weights.size());
+  weights.assign(log_weights.size(), 1.0 / count);
+  multiply_weights(weights, log_weights, exponent);
+  return effective_size(weights) / count;
+}
+
+// Weights in proportion to exp(log weight × e), e at most 1 and such that enough of them matter.
+std::vector<double> bearable_weights(std::span<const double> log_weights) {
+  std::vector<double> weights;
+  if (share_after(log_weights, 1.0, weights) >= kLeastShare) return weights;
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (share_after(log_weights, middle, weights) >= kLeastShare ? low : high) = middle;
+  }
+  share_after(log_weights, low, weights);
+  return weights;
+}
+
+}  // namespace
+
+PoseTracker::PoseTracker(const ScanWeigher& weigher, const TrackerSettings& settings,
+                         std::uint64_t seed)
+    : weigher_(&weigher), settings_(settings), seed_(seed) {
+  Random random(seed_, kStreams + epoch_++);
+  for (std::size_t i = 0; i < kDeviates; ++i) deviates_.push_back(PoseBelief::deviate(random));
+}
+
+void PoseTracker::move(const OdometryStep& step) {
+  Random random(seed_, kStreams + epoch_++);
+  for (Pose& pose : particles_.poses) {
+    pose = moved(pose, perturbed(step, settings_.odometry, random));
+  }
+}
+
+std::size_t PoseTracker::wanted_particles() const {
+  const std::size_t bins = occupied_bins(particles_.poses, settings_.kld);
+  const double size = std::ceil(kld_sample_size(bins, settings_.kld));
+  const double most = static_cast<double>(settings_.particles);
+  return std::max(settings_.kld.least, static_cast<std::size_t>(std::min(size, most)));
+}
+
+// New particles, and minus the logarithms of the density they were drawn with.
+std::vector<double> PoseTracker::draw(const PoseBelief& proposal, std::size_t count) {
+  particles_.poses.clear();
+  std::vector<double> log_weights;
+  for (std::size_t i = 0; i < count; ++i) {
+    const PoseBelief::Deviate& deviate = deviates_[next_];
+    next_ = (next_ + 1) % kDeviates;
+    particles_.poses.push_back(proposal.at(deviate));
+    log_weights.push_back(-deviate.log_density);
+  }
+  return log_weights;
+}
+
+void PoseTracker::weigh(const TrackingStage& stage, const RecordedScan& scan, double trust,
+                        const PoseBelief& prior, std::vector<double>& log_weights) {
+  const SampledScan seen =
+      sample_beams(scan, stage.beams, settings_.max_range_m, settings_.height_m);
+  beams_ = seen.laser.rays;
+  LikelihoodModel likelihood = settings_.likelihood;
+  likelihood.sigma_m = stage.sigma_m;
+  std::vector<double> factors(particles_.poses.size());
+  TurnedWeigher(*weigher_, seen.heading)
+      .weigh(seen.ranges, seen.laser, likelihood, particles_.poses, factors, 1);
+  const double temper = trust * std::min(1.0, stage.evidence / static_cast<double>(beams_));
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    log_weights[i] += temper * factors[i] + prior.log_density(particles_.poses[i]);
+  }
+}
+
+UpdateReport PoseTracker::update(const RecordedScan& scan, double trust) {
+  assert(!settings_.stages.empty() && particles_.size() > 0);
+  const std::size_t count = wanted_particles();
+  const PoseBelief prior(particles_, settings_.sigma_m, settings_.sigma_deg);
+  UpdateReport report{count, 0.0, false, true};
+  PoseBelief proposal = prior;
+  for (const TrackingStage& stage : settings_.stages) {
+    std::vector<double> log_weights = draw(proposal, count);
+    weigh(stage, scan, trust, prior, log_weights);
+    particles_.weights = bearable_weights(log_weights);
+    report.effective_particles = effective_size(particles_.weights);
+    if (&stage != &settings_.stages.back())
+      proposal = PoseBelief(particles_, kProposal_m, kProposal_deg);
+  }
+  return report;
+}
+
+}  // namespace mapwright::navcore
