@@ -58,7 +58,11 @@ bool Localizer::start() {
   if (!settings_.initial_pose) return filter_.start_anywhere(space_, {});
   filter_.start_at(*settings_.initial_pose, settings_.initial_sigma_m, settings_.initial_sigma_deg,
                    &space_);
-  if (has_tracker()) follow({*settings_.initial_pose});
+  if (has_tracker()) {
+    PoseEstimate known;
+    known.pose = *settings_.initial_pose;
+    follow(known);
+  }
   return true;
 }
 
