@@ -22,18 +22,20 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // -- scans -------------------------------------------------------------------------------------
 
-// Calls `finish(scan, inverse)` for each of the scans, whose spans are in the workspace.
+// Scans that are cast together. The i-th is the scan of start starts[i], its inverse ranges are
+// Workspace::inverse(i).
+using ScansTogether = std::span<const StartInCell>;
+
+// Calls `finish(scans)`, whose spans are in the workspace.
 template <class Finish>
-HWY_INLINE void cast_listed(const ScanSetup& setup, const ScanStarts& starts,
-                            std::span<const StartInCell> scans, Workspace& work, Finish&& finish) {
+HWY_INLINE void cast_listed(const ScanSetup& setup, const ScanStarts& starts, ScansTogether scans,
+                            Workspace& work, Finish&& finish) {
   const BeamTable& beams = *setup.beams;
   fill(work.inverses.data(), scans.size() * beams.padded_rays(), beams.out_of_range);
   raise_spans(beams, work.walls, work.inverses.data());
   raise_touched(setup, starts, work.touched_walls, work.inverses.data());
   if (!work.stairs_views.empty()) raise_stairs(setup, starts, work);
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    finish(starts.scan[scans[i].start], work.inverse(i));
-  }
+  finish(scans);
 }
 
 // Asks for a cell's list ahead of time: its header and its first two blocks.
@@ -42,14 +44,14 @@ HWY_INLINE void prefetch(const PackedCell& cell) {
   for (int line = 0; line < 9; ++line) __builtin_prefetch(bytes + line * static_cast<int>(kLine));
 }
 
-// Calls `finish(scan, inverse)` for each scan of `work.alone`. They go through the two stages a few
-// at a time: the spans of one scan come out of a long chain of dependent operations, and the
+// Calls `finish(scans)` for the scans of `work.alone`. They go through the stages a few at a time:
+// the spans of one scan come out of a long chain of dependent operations, and the
 // processor works on several such chains at once as long as no branch hangs on their outcome.
 template <class Finish>
 HWY_INLINE void for_each_alone(const ScanSetup& setup, const ScanStarts& starts, Workspace& work,
                                Finish&& finish) {
   constexpr std::size_t kTogether = 4;
-  const std::span<const StartInCell> alone = work.alone;
+  const ScansTogether alone = work.alone;
   for (std::size_t begin = 0; begin < alone.size(); begin += kTogether) {
     const std::size_t end = std::min(alone.size(), begin + kTogether);
     const std::size_t ahead = std::min(alone.size(), end + kTogether);
@@ -67,7 +69,7 @@ HWY_INLINE void for_each_alone(const ScanSetup& setup, const ScanStarts& starts,
   }
 }
 
-// Calls `finish(scan, inverse)` for each scan of the group.
+// Calls `finish(scans)` for the scans of the group.
 template <class Finish>
 HWY_INLINE void for_each_of_group(const ScanSetup& setup, const ScanStarts& starts,
                                   const ScanGroup& group, Workspace& work, Finish&& finish) {
@@ -86,9 +88,9 @@ HWY_INLINE std::uint32_t least_group() {
   return static_cast<std::uint32_t>(std::max<std::size_t>(2, hn::Lanes(Floats()) / 3));
 }
 
-// Calls `finish(scan, inverse)` for each scan; the order is open.
+// Calls `finish(scans)` for all scans, up to a block at a time; the order is open.
 template <class Finish>
-HWY_INLINE void for_each_scan(const ScanSetup& setup, const ScanStarts& starts, Workspace& work,
+HWY_INLINE void cast_together(const ScanSetup& setup, const ScanStarts& starts, Workspace& work,
                               Finish&& finish) {
   // The buffers of a group should fit into the first-level cache.
   constexpr std::size_t kBufferBytes = 32768;
@@ -136,8 +138,10 @@ HWY_INLINE void store_ranges(const BeamTable& beams, const float* inverse, float
 
 void cast_scans(const ScanSetup& setup, const ScanStarts& starts, Workspace& work, float* ranges) {
   const BeamTable& beams = *setup.beams;
-  for_each_scan(setup, starts, work, [&](std::uint32_t scan, const float* inverse) HWY_ATTR {
-    store_ranges(beams, inverse, ranges + scan * beams.rays);
+  cast_together(setup, starts, work, [&](ScansTogether scans) HWY_ATTR {
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      store_ranges(beams, work.inverse(i), ranges + starts.scan[scans[i].start] * beams.rays);
+    }
   });
 }
 

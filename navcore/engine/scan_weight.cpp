@@ -26,7 +26,8 @@ ScanWeight::ScanWeight(std::span<const double> ranges, const LaserModel& laser,
   const double shorter = model.beta / laser.max_range_m;
   const double longer = gamma / laser.max_range_m;
   peak = static_cast<float>(top);
-  sharpness = static_cast<float>(0.5 / (model.sigma_m * model.sigma_m));
+  log2_peak = static_cast<float>(std::log2(top));
+  steepness = static_cast<float>(0.5 * std::numbers::log2e / (model.sigma_m * model.sigma_m));
   shorter_floor = static_cast<float>(shorter);
   longer_floor = static_cast<float>(longer);
   const double worst = std::max({log_magnitude(top), log_magnitude(shorter), log_magnitude(longer),

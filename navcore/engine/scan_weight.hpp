@@ -10,8 +10,8 @@
 
 namespace mapwright::navcore::engine {
 
-/// Eq. (5) of the report as L(Δ) = peak · exp(−sharpness Δ²) + floor, with one floor where the beam
-/// is shorter than the map says (Δ <= 0) and one where it is longer.
+/// Eq. (5) of the report as L(Δ) = 2^(log2_peak − steepness Δ²) + floor, with one floor where the
+/// beam is shorter than the map says (Δ <= 0) and one where it is longer.
 struct ScanWeight {
   /// Requires perceived.size() == laser.rays and model.alpha > 0.
   ScanWeight(std::span<const double> perceived, const LaserModel& laser,
@@ -19,7 +19,8 @@ struct ScanWeight {
 
   LikelihoodKind kind;
   float peak = 0.0F;       ///< α / (σm √2π)
-  float sharpness = 0.0F;  ///< 1 / (2 σm²)
+  float log2_peak = 0.0F;  ///< logarithm of that to base 2
+  float steepness = 0.0F;  ///< 1 / (2 σm² ln 2)
   float shorter_floor = 0.0F;
   float longer_floor = 0.0F;
 

@@ -61,7 +61,7 @@ struct StairsView {
 class Workspace {
  public:
   explicit Workspace(std::size_t padded_rays)
-      : inverses(kBlock * padded_rays), differences(padded_rays), padded_rays_(padded_rays) {
+      : inverses(kBlock * padded_rays), padded_rays_(padded_rays) {
     for (std::size_t i = 0; i < kBlock; ++i) {
       rows.push_back(row(i));
       stairs_rows.push_back(row(3 * i));
@@ -89,13 +89,12 @@ class Workspace {
   /// Inverse ranges (1/m) of the i-th scan.
   float* inverse(std::size_t i) { return inverses.data() + row(i); }
 
-  AlignedFloats inverses;     ///< of some scans, row by row
-  AlignedFloats stairs;       ///< of tops, low steps and stops, row by row
-  AlignedFloats differences;  ///< of perceived and synthetic ranges, metres; as long as a row
-  AlignedInts rows;           ///< row(0), row(1), …
-  AlignedInts stairs_rows;    ///< row(0), row(3), …
-  SpanList walls;             ///< and ramps, for the rows of `inverses`
-  SpanList steps;             ///< and tops, for the rows of `stairs`
+  AlignedFloats inverses;   ///< of some scans, row by row
+  AlignedFloats stairs;     ///< of tops, low steps and stops, row by row
+  AlignedInts rows;         ///< row(0), row(1), …
+  AlignedInts stairs_rows;  ///< row(0), row(3), …
+  SpanList walls;           ///< and ramps, for the rows of `inverses`
+  SpanList steps;           ///< and tops, for the rows of `stairs`
   std::vector<TouchedItem> touched_walls, touched_steps;  ///< rarely any
   std::vector<StairsView> stairs_views;
   std::vector<StartInCell> alone;  ///< scans that share their cell with too few others
