@@ -44,7 +44,10 @@ const Map kSite{{0.0, 20.0, 20.0, 0.0}, {}};
 
 Overlay robot_at(double x) {
   const OverlayPose robot{{x, 10.0, Angle()}, 4.0, Colour::from_hex(0xB0005A)};
-  return {{robot}, {{robot, "robot"}}};
+  Overlay overlay;
+  overlay.items = {robot};
+  overlay.legend = {{robot, "robot"}};
+  return overlay;
 }
 
 PictureOptions small() {

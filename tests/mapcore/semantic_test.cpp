@@ -62,7 +62,9 @@ TEST(Semantic, MayBeCopiedInAnyThread) {
 
 // What makes a map of ten million segments fit.
 TEST(Segment, IsSixNumbersLong) {
-  if constexpr (sizeof(void*) == 8) EXPECT_EQ(sizeof(Segment), 48U);
+  if constexpr (sizeof(void*) == 8) {
+    EXPECT_EQ(sizeof(Segment), 48U);
+  }
 }
 
 }  // namespace

@@ -100,7 +100,9 @@ TEST(DecimalFormat, WritesMillimetresOfAnyLength) {
         while (expected.back() == '0') expected.pop_back();
       }
       ASSERT_EQ(formatted(format, static_cast<double>(mm) / 1000.0), expected);
-      if (mm > 0) ASSERT_EQ(formatted(format, static_cast<double>(-mm) / 1000.0), "-" + expected);
+      if (mm > 0) {
+        ASSERT_EQ(formatted(format, static_cast<double>(-mm) / 1000.0), "-" + expected);
+      }
     }
   }
 }
