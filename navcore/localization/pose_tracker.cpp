@@ -44,6 +44,12 @@ std::vector<double> bearable_weights(std::span<const double> log_weights) {
 
 }  // namespace
 
+// The turns before and after only say which way it drove.
+double way_of(const OdometryStep& step, double turn_m) {
+  const double turn = std::abs((step.turn_before + step.turn_after).wrapped().radians());
+  return std::abs(step.distance_m) + turn_m * turn;
+}
+
 PoseTracker::PoseTracker(const ScanWeigher& weigher, const TrackerSettings& settings,
                          std::uint64_t seed)
     : weigher_(&weigher), settings_(settings), seed_(seed) {
@@ -61,9 +67,7 @@ void PoseTracker::move(const OdometryStep& step) {
   for (Pose& pose : particles_.poses) {
     pose = moved(pose, perturbed(step, settings_.odometry, random));
   }
-  // As the robot turned in the end: the turns before and after only say which way it drove.
-  const double turn = std::abs((step.turn_before + step.turn_after).wrapped().radians());
-  way_m_ += std::abs(step.distance_m) + settings_.diffusion.turn_m * turn;
+  way_m_ += way_of(step, settings_.diffusion.turn_m);
 }
 
 std::size_t PoseTracker::wanted_particles() const {

@@ -29,6 +29,9 @@ struct Diffusion {
   double least_sigma_m = 0.005, least_sigma_deg = 0.1;  ///< of any movement, standing still too
 };
 
+/// Metres driven and, for each radian that the robot has turned in the end, turn_m more.
+double way_of(const OdometryStep& step, double turn_m);
+
 struct TrackerSettings {
   /// Each stage draws its particles around what the stage before has found, the first around what
   /// odometry says; the last says how the scan is weighed in the end.
