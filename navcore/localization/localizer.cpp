@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "navcore/localization/experiment.hpp"
 
@@ -19,15 +20,19 @@ TrackerSettings tracker_settings(const RecordedSettings& settings) {
   return tracker;
 }
 
+bool is_one_mode(const Pose& a, const Pose& b) {
+  const double turn_deg = (a.theta - b.theta).wrapped().degrees();
+  return distance(a.position(), b.position()) <= kModeRadius_m &&
+         std::abs(turn_deg) <= kModeHeading_deg;
+}
+
 // Those of the mode that the pose is the middle of.
 ParticleSet around(const ParticleSet& particles, const Pose& pose) {
   ParticleSet mode;
   double sum = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Pose& p = particles.poses[i];
-    const double turn_deg = (p.theta - pose.theta).wrapped().degrees();
-    if (distance(p.position(), pose.position()) > kModeRadius_m) continue;
-    if (std::abs(turn_deg) > kModeHeading_deg) continue;
+    if (!is_one_mode(p, pose)) continue;
     mode.poses.push_back(p);
     mode.weights.push_back(particles.weights[i]);
     sum += particles.weights[i];
@@ -67,8 +72,15 @@ bool Localizer::start() {
 }
 
 void Localizer::drive(const OdometryStep& step) {
+  way_m_ += way_of(step, settings_.tracker.diffusion.turn_m);
+  expected_ = moved(expected_, step);
   if (tracking_) tracker_.move(step);
   if (!tracking_ || challenged_) filter_.move(step);
+}
+
+double Localizer::news_since_last_scan() {
+  const double way_m = std::exchange(way_m_, 0.0);
+  return std::clamp(way_m / settings_.news_m, settings_.least_news, 1.0);
 }
 
 LocalizerLook Localizer::look(const RecordedScan& scan) {
@@ -91,7 +103,9 @@ void Localizer::search(const RecordedScan& scan, LocalizerLook& result) {
   result.beams = turned_beams_;
   result.estimate = filter_.estimate();
   result.believes = believes_converged(result.estimate);
-  sure_for_ = result.believes ? sure_for_ + 1 : 0;
+  const bool stays = result.believes && is_one_mode(expected_, result.estimate.pose);
+  sure_for_ = stays ? sure_for_ + 1 : 0;
+  expected_ = result.estimate.pose;
   if (has_tracker() && sure_for_ >= settings_.confirmation) follow(result.estimate);
 }
 
@@ -99,20 +113,21 @@ void Localizer::track(const RecordedScan& scan, LocalizerLook& result) {
   result.update = tracker_.update(scan, 1.0 - quality_.share_lost());
   result.beams = tracker_.beams();
   result.estimate = estimate_pose(tracker_.particles());
-  quality_.add(std::exp(log_fit(scan, result.estimate.pose)), lost_for_ > 0);
+  const double news = news_since_last_scan();
+  quality_.add(std::exp(log_fit(scan, result.estimate.pose)), lost_for_ > 0.0, news);
   const bool lost = quality_.share_lost() >= settings_.lost_share;
-  lost_for_ = lost ? lost_for_ + 1 : 0;
+  lost_for_ = lost ? lost_for_ + news : 0.0;
   result.doubted = lost;
   result.believes = !lost && believes_converged(result.estimate);
   if (lost) {
-    challenge(scan, result);
+    challenge(scan, news, result);
   } else {
     challenged_ = false;
   }
 }
 
 // The filter begins where the tracker is, looks nearby, then elsewhere, at last everywhere.
-void Localizer::challenge(const RecordedScan& scan, LocalizerLook& result) {
+void Localizer::challenge(const RecordedScan& scan, double news, LocalizerLook& result) {
   if (!challenged_) {
     filter_.take(tracker_.particles(), &space_);
     advantage_ = 0.0;
@@ -122,25 +137,25 @@ void Localizer::challenge(const RecordedScan& scan, LocalizerLook& result) {
   challenged_ = true;
   if (lost_for_ > search_after_) {
     everywhere_ = filter_.start_anywhere(space_, {});
-    search_after_ = 2 * lost_for_;
+    search_after_ = 2.0 * lost_for_;
     advantage_ = 0.0;
   }
   const UpdateReport update =
       update_filter(scan, everywhere_ ? settings_.search : settings_.recover);
   result.update.particles += update.particles;
-  weigh_challenger(scan, filter_.estimate(), result);
+  weigh_challenger(scan, filter_.estimate(), news, result);
 }
 
 // One place against the other, by all the scans since they are two.
 void Localizer::weigh_challenger(const RecordedScan& scan, const PoseEstimate& estimate,
-                                 LocalizerLook& result) {
+                                 double news, LocalizerLook& result) {
   if (!believes_converged(estimate) || !are_apart(estimate.pose, result.estimate.pose)) {
     advantage_ = 0.0;
     return;
   }
   const double there = log_fit(scan, estimate.pose);
   const double better = there - log_fit(scan, result.estimate.pose);
-  advantage_ = std::max(0.0, advantage_ + settings_.recover.evidence * better);
+  advantage_ = std::max(0.0, advantage_ + news * settings_.recover.evidence * better);
   if (advantage_ < settings_.conviction) return;
   follow(estimate);
   quality_.begin_anew(std::exp(there));
@@ -151,7 +166,8 @@ void Localizer::follow(const PoseEstimate& estimate) {
   tracker_.start(around(filter_.particles(), estimate.pose));
   tracking_ = true;
   challenged_ = false;
-  sure_for_ = lost_for_ = 0;
+  sure_for_ = 0;
+  lost_for_ = 0.0;
 }
 
 SampledScan Localizer::sample(const RecordedScan& scan, std::size_t beams) const {

@@ -39,9 +39,13 @@ struct RecordedSettings {
   TrackerSettings tracker;       ///< without stages: the filter tracks too, as it recovers
   std::size_t confirmation = 5;  ///< converged for so many scans in a row
   double lost_share = 0.3;       ///< recovers where ScanQuality says more
-  std::size_t patience = 10;     ///< searches all of the map after so many, twice as many, …
+  double patience = 10.0;        ///< searches all of the map after so many, twice as many, …
   double conviction = 20.0;      ///< logarithm of how many times more likely another place must be
   QualityDecay quality;
+  /// Scans from nearly the same place err alike. While it tracks, a scan counts in full after so
+  /// much way (way_of, with the tracker's turn_m), after less in proportion, but never less than
+  /// least_news: whoever stands still comes to doubt as well.
+  double news_m = 0.5, least_news = 0.05;
 
   std::optional<Pose> initial_pose;  ///< tracking; else global localization, heading unknown
   double initial_sigma_m = 0.3;
@@ -84,12 +88,13 @@ class Localizer {
   LocalizerLook look(const RecordedScan& scan);
 
  private:
+  double news_since_last_scan();
   bool has_tracker() const { return !settings_.tracker.stages.empty(); }
   const ParticleSet& particles() const;
   void search(const RecordedScan& scan, LocalizerLook& result);
   void track(const RecordedScan& scan, LocalizerLook& result);
-  void challenge(const RecordedScan& scan, LocalizerLook& result);
-  void weigh_challenger(const RecordedScan& scan, const PoseEstimate& estimate,
+  void challenge(const RecordedScan& scan, double news, LocalizerLook& result);
+  void weigh_challenger(const RecordedScan& scan, const PoseEstimate& estimate, double news,
                         LocalizerLook& result);
   void follow(const PoseEstimate& estimate);
   UpdateReport update_filter(const RecordedScan& scan, const LookSettings& how);
@@ -108,9 +113,11 @@ class Localizer {
   bool challenged_ = false;       ///< the filter, beside it, looks for another
   bool everywhere_ = false;       ///< and has begun anew, in all of the map
   double advantage_ = 0.0;        ///< log of how much better the filter's place explains the scans
-  std::size_t sure_for_ = 0;      ///< scans in a row that the search was converged
-  std::size_t lost_for_ = 0;      ///< scans in a row that fitted too badly
-  std::size_t search_after_ = 0;  ///< of such scans: begins in all of the map
+  Pose expected_;                 ///< what the search found last, moved since
+  std::size_t sure_for_ = 0;      ///< scans in a row that the search was converged at one place
+  double way_m_ = 0.0;            ///< since the last scan
+  double lost_for_ = 0.0;         ///< scans in a row that fitted too badly, as they count
+  double search_after_ = 0.0;     ///< of such scans: begins in all of the map
 };
 
 }  // namespace mapwright::navcore

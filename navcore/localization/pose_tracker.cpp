@@ -44,6 +44,12 @@ std::vector<double> bearable_weights(std::span<const double> log_weights) {
 
 }  // namespace
 
+// The turns before and after only say which way it drove.
+double way_of(const OdometryStep& step, double turn_m) {
+  const double turn = std::abs((step.turn_before + step.turn_after).wrapped().radians());
+  return std::abs(step.distance_m) + turn_m * turn;
+}
+
 PoseTracker::PoseTracker(const ScanWeigher& weigher, const TrackerSettings& settings,
                          std::uint64_t seed)
     : weigher_(&weigher), settings_(settings), seed_(seed) {
@@ -51,11 +57,17 @@ PoseTracker::PoseTracker(const ScanWeigher& weigher, const TrackerSettings& sett
   for (std::size_t i = 0; i < kDeviates; ++i) deviates_.push_back(PoseBelief::deviate(random));
 }
 
+void PoseTracker::start(const ParticleSet& particles) {
+  particles_ = particles;
+  way_m_ = 0.0;
+}
+
 void PoseTracker::move(const OdometryStep& step) {
   Random random(seed_, kStreams + epoch_++);
   for (Pose& pose : particles_.poses) {
     pose = moved(pose, perturbed(step, settings_.odometry, random));
   }
+  way_m_ += way_of(step, settings_.diffusion.turn_m);
 }
 
 std::size_t PoseTracker::wanted_particles() const {
@@ -63,6 +75,13 @@ std::size_t PoseTracker::wanted_particles() const {
   const double size = std::ceil(kld_sample_size(bins, settings_.kld));
   const double most = static_cast<double>(settings_.particles);
   return std::max(settings_.kld.least, static_cast<std::size_t>(std::min(size, most)));
+}
+
+PoseBelief PoseTracker::prior() const {
+  const Diffusion& diffusion = settings_.diffusion;
+  const double growth = std::sqrt(way_m_);
+  return {particles_, std::hypot(diffusion.least_sigma_m, growth * diffusion.sigma_m),
+          std::hypot(diffusion.least_sigma_deg, growth * diffusion.sigma_deg)};
 }
 
 // New particles, and minus the logarithms of the density they were drawn with.
@@ -97,12 +116,13 @@ void PoseTracker::weigh(const TrackingStage& stage, const RecordedScan& scan, do
 UpdateReport PoseTracker::update(const RecordedScan& scan, double trust) {
   assert(!settings_.stages.empty() && particles_.size() > 0);
   const std::size_t count = wanted_particles();
-  const PoseBelief prior(particles_, settings_.sigma_m, settings_.sigma_deg);
+  const PoseBelief before = prior();
+  way_m_ = 0.0;
   UpdateReport report{count, 0.0, false, true};
-  PoseBelief proposal = prior;
+  PoseBelief proposal = before;
   for (const TrackingStage& stage : settings_.stages) {
     std::vector<double> log_weights = draw(proposal, count);
-    weigh(stage, scan, trust, prior, log_weights);
+    weigh(stage, scan, trust, before, log_weights);
     particles_.weights = bearable_weights(log_weights);
     report.effective_particles = effective_size(particles_.weights);
     if (&stage != &settings_.stages.back())

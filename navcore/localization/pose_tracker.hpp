@@ -20,15 +20,27 @@ struct TrackingStage {
   double evidence = 20.0;  ///< as in LookSettings
 };
 
+/// What drives a robot off its way unfelt: a random walk, whose variance grows with the way, so
+/// that ten short movements blur as much as a long one of the same sum. A movement's way is its
+/// metres and, for each radian of turns, turn_m more.
+struct Diffusion {
+  double sigma_m = 0.05, sigma_deg = 1.5;               ///< of a metre's way
+  double turn_m = 1.0;                                  ///< metres a radian
+  double least_sigma_m = 0.005, least_sigma_deg = 0.1;  ///< of any movement, standing still too
+};
+
+/// Metres driven and, for each radian that the robot has turned in the end, turn_m more.
+double way_of(const OdometryStep& step, double turn_m);
+
 struct TrackerSettings {
   /// Each stage draws its particles around what the stage before has found, the first around what
   /// odometry says; the last says how the scan is weighed in the end.
   std::vector<TrackingStage> stages;
   LikelihoodModel likelihood;  ///< but for σm
   OdometryNoise odometry;
-  KldSettings kld;                         ///< adaptive NP, from kld.least to `particles`
-  std::size_t particles = 2000;            ///< at most
-  double sigma_m = 0.05, sigma_deg = 1.5;  ///< of a movement, whatever its length, beside the noise
+  KldSettings kld;               ///< adaptive NP, from kld.least to `particles`
+  std::size_t particles = 2000;  ///< at most
+  Diffusion diffusion;           ///< beside the noise of odometry
   double max_range_m = 25.0, height_m = 0.5;
 };
 
@@ -44,7 +56,7 @@ class PoseTracker {
   PoseTracker(const ScanWeigher& weigher, const TrackerSettings& settings, std::uint64_t seed);
 
   /// Goes on from these particles; they lie around one place.
-  void start(const ParticleSet& particles) { particles_ = particles; }
+  void start(const ParticleSet& particles);
 
   void move(const OdometryStep& step);
 
@@ -57,6 +69,7 @@ class PoseTracker {
 
  private:
   std::size_t wanted_particles() const;
+  PoseBelief prior() const;
   std::vector<double> draw(const PoseBelief& proposal, std::size_t count);
   void weigh(const TrackingStage& stage, const RecordedScan& scan, double trust,
              const PoseBelief& prior, std::vector<double>& log_weights);
@@ -69,6 +82,7 @@ class PoseTracker {
   std::vector<PoseBelief::Deviate> deviates_;  ///< dealt out in turn, again and again
   std::size_t next_ = 0;                       ///< of them
   ParticleSet particles_;
+  double way_m_ = 0.0;  ///< since the last update, as in Diffusion
 };
 
 }  // namespace mapwright::navcore

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace mapwright::navcore {
 
@@ -18,10 +19,11 @@ class ScanQuality {
 
   /// `fit` > 0: likelihood a beam, the geometric mean over the beams of a scan. While the robot is
   /// `lost` the long-term average stays as it is: nobody gets used to a wrong place.
-  void add(double fit, bool lost = false) {
+  /// `news` in (0, 1]: as how much of a scan it counts; ten tenths come to one.
+  void add(double fit, bool lost = false, double news = 1.0) {
     if (slow_ == 0.0) slow_ = fast_ = fit;
-    if (!lost) slow_ += decay_.slow * (fit - slow_);
-    fast_ += decay_.fast * (fit - fast_);
+    if (!lost) slow_ += share(decay_.slow, news) * (fit - slow_);
+    fast_ += share(decay_.fast, news) * (fit - fast_);
   }
 
   /// Elsewhere scans fit so: what they used to fit still counts.
@@ -31,6 +33,8 @@ class ScanQuality {
   double share_lost() const { return slow_ > 0.0 ? std::max(0.0, 1.0 - fast_ / slow_) : 0.0; }
 
  private:
+  static double share(double of_scan, double news) { return 1.0 - std::pow(1.0 - of_scan, news); }
+
   QualityDecay decay_;
   double slow_ = 0.0, fast_ = 0.0;
 };

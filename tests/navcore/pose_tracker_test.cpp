@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "navcore/engine/scan_engine.hpp"
 #include "navcore/localization/localizer.hpp"
@@ -80,6 +81,15 @@ TEST(PoseBelief, OfOnePoseIsAsWideAsItIsMade) {
   // The tail makes it √1.8 times as wide.
   EXPECT_NEAR(spread.sigma_x, 0.1 * std::sqrt(1.8), 0.01);
   EXPECT_NEAR(spread.sigma_deg, 2.0 * std::sqrt(1.8), 0.2);
+}
+
+TEST(WayOf, CountsMetresAndTheTurnInTheEnd) {
+  const auto step = [](double before_deg, double metres, double after_deg) {
+    return OdometryStep{Angle::from_degrees(before_deg), metres, Angle::from_degrees(after_deg)};
+  };
+  EXPECT_NEAR(way_of(step(0.0, -2.0, 0.0), 1.0), 2.0, 1e-12);
+  EXPECT_NEAR(way_of(step(80.0, 0.02, -80.0), 1.0), 0.02, 1e-12);  // sideways, not turned
+  EXPECT_NEAR(way_of(step(0.0, 1.0, -90.0), 2.0), 1.0 + std::numbers::pi, 1e-12);
 }
 
 Map room() {

@@ -35,6 +35,15 @@ TEST(KldSampling, CountsBinsOfPlaceAndHeading) {
   EXPECT_EQ(occupied_bins(poses, settings), 4U);
 }
 
+TEST(ScanQuality, CountsTenTenthsOfAScanAsOne) {
+  ScanQuality whole({0.05, 0.5}), tenths({0.05, 0.5});
+  for (ScanQuality* quality : {&whole, &tenths}) quality->add(0.9);
+  whole.add(0.3);
+  for (int i = 0; i < 10; ++i) tenths.add(0.3, false, 0.1);
+  EXPECT_GT(whole.share_lost(), 0.2);
+  EXPECT_NEAR(tenths.share_lost(), whole.share_lost(), 1e-12);
+}
+
 TEST(ScanQuality, IsLostWhileScansFitWorseThanTheyUsedTo) {
   ScanQuality quality({0.05, 0.5});
   for (int i = 0; i < 20; ++i) quality.add(2.0);
