@@ -47,7 +47,9 @@ test::PngImage drawn(const Map& map, const PictureOptions& options, const Overla
 }
 
 Overlay with(OverlayItem item) {
-  return {{std::move(item)}, {}};
+  Overlay overlay;
+  overlay.items.push_back(std::move(item));
+  return overlay;
 }
 
 TEST(Picture, KnowsFormatsByExtension) {
