@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "tests/cli/program_run.hpp"
@@ -136,7 +137,8 @@ TEST_F(Localize, SetsTrackingAgainstTheSequentialBound) {
   EXPECT_EQ(json["settings"]["known_start"], true);
   const Json& tracking = json["tracking"];
   EXPECT_GT(tracking["rms_bound_m"].get<double>(), 0.002);
-  EXPECT_LT(tracking["rms_bound_m"].get<double>(), 0.1);
+  // Scans and encoders can only add to what is known of the start: 0.5 m along each axis.
+  EXPECT_LT(tracking["rms_bound_m"].get<double>(), 0.5 * std::numbers::sqrt2);
   EXPECT_NEAR(tracking["rms_ratio"].get<double>(), 1.5, 1.2);
   ASSERT_EQ(json["reliability"].size(), 5U);
   std::size_t iterations = 0;

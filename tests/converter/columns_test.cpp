@@ -1,5 +1,6 @@
 // GeoPackages read by columns: what arrives is what GDAL's features hold.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -58,7 +59,7 @@ void expect_same(const Read& columns, const Read& features) {
 
 class Columns : public testing::Test {
  protected:
-  Columns() : folder_(fs::path(testing::TempDir()) / "columns_test") {
+  Columns() : folder_(fs::path(testing::TempDir()) / ("columns_test_" + std::to_string(getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

@@ -1,5 +1,6 @@
 // The short way and the long way through a conversion make the same map and the same ledger.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <sstream>
@@ -105,7 +106,8 @@ Outcomes converted(const std::vector<std::string>& sources, double snap_m) {
 
 // Snapping asks for the whole drawing, so nothing is plain; a micrometre moves nothing.
 TEST(PlainObstacles, ComeOutAsDraftsDo) {
-  const auto folder = fs::path(testing::TempDir()) / "plain_obstacles_test";
+  const auto folder =
+      fs::path(testing::TempDir()) / ("plain_obstacles_test_" + std::to_string(getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder);
   const auto first = (folder / "a.gpkg").string(), second = (folder / "b.gpkg").string();
