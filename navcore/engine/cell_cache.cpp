@@ -65,10 +65,6 @@ CellCache::CellCache(const Scene& scene, const Reach& reach, std::size_t budget_
   nowhere_ = pack(CellWalls{}, {}, always_.allocate(packed_size(CellWalls{})));
 }
 
-Point CellCache::center_of(CellKey key) const {
-  return {(key.column + 0.5) * reach_.cell_size_m, (key.row + 0.5) * reach_.cell_size_m};
-}
-
 std::size_t CellCache::memory_bytes() const {
   return young_.bytes() + old_.bytes() + always_.bytes();
 }

@@ -98,6 +98,11 @@ class CellCache {
     return {whole_cells(p.x * cells_per_metre_), whole_cells(p.y * cells_per_metre_)};
   }
 
+  /// The centre of the cell.
+  Point center_of(CellKey key) const {
+    return {(key.column + 0.5) * reach_.cell_size_m, (key.row + 0.5) * reach_.cell_size_m};
+  }
+
   /// The list of the cell, if it is among the young.
   const PackedCell* find(CellKey key) const { return young_.table.find(key); }
 
@@ -122,7 +127,6 @@ class CellCache {
   void make_room();
   bool keep_if_old(CellKey key);
   void compile(std::span<const CellKey> keys, unsigned threads);
-  Point center_of(CellKey key) const;
 
   const Scene* scene_;
   Reach reach_;

@@ -8,17 +8,19 @@ namespace mapwright::navcore::engine {
 Piece::Piece(std::span<const Pose> poses, const CellCache& cells) : poses_(poses), cells_(cells) {
   assert(poses.size() <= kMost);
   in_cell_[0] = {cells.nowhere(), 0, 0};
+  center_[0] = cells.nowhere()->center;
 }
 
 // A piece's poses lie in few cells when a filter tracks, so most are found here, and only the first
 // of a cell in the cache.
-bool Piece::add(std::size_t pose, CellKey key) {
+inline bool Piece::add(std::size_t pose, CellKey key) {
   std::size_t slot = hash_of(key) & (kSlots - 1);
   while (slots_[slot] != 0 && !(key_[slots_[slot]] == key)) slot = (slot + 1) & (kSlots - 1);
   if (slots_[slot] == 0) {
     const PackedCell* const cell = cells_.find(key);
     if (cell == nullptr) return false;
     key_[used_] = key;
+    center_[used_] = cells_.center_of(key);
     in_cell_[used_] = {cell, 0, 0};
     slots_[slot] = static_cast<std::uint16_t>(used_++);
   }
@@ -59,7 +61,7 @@ ScanStarts Piece::starts(const Kernels& kernels) {
   for (std::uint32_t scan = 0; scan < poses_.size(); ++scan) {
     const std::size_t cell = cell_of_[scan];
     const std::uint32_t start = next[cell]++;
-    const Point p = poses_[scan].position() - in_cell_[cell].cell->center;
+    const Point p = poses_[scan].position() - center_[cell];
     x_[start] = static_cast<float>(p.x);
     y_[start] = static_cast<float>(p.y);
     cosine_[start] = static_cast<float>(cosine_of_[scan]);

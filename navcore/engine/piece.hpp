@@ -28,7 +28,7 @@ class Piece {
 
  private:
   using InCell = ScanStarts::InCell;
-  static constexpr std::size_t kSlots = 2 * kMost;  // a power of two
+  static constexpr std::size_t kSlots = 4 * kMost;  // a power of two
 
   bool add(std::size_t pose, CellKey key);
   void turn(const Kernels& kernels);
@@ -40,6 +40,7 @@ class Piece {
   // The rest is written before it is read.
   std::array<InCell, kMost + 1> in_cell_;
   std::array<CellKey, kMost + 1> key_;
+  std::array<Point, kMost + 1> center_;  ///< those of the lists, without a look at the lists
   std::array<std::uint16_t, kMost> cell_of_;  ///< by scan
   std::array<double, kMost> cosine_of_, sine_of_;
   std::array<float, kMost + kBlock> x_, y_, cosine_, sine_;  ///< by start

@@ -22,6 +22,7 @@ ScanPlan::ScanPlan(const Scene& scene, const LaserModel& laser, double cell_size
     : laser_(laser),
       beams_(laser),
       setup_{&scene, &beams_, laser.height_m},
+      workspaces_(beams_.padded_rays()),
       cells_(scene, {laser.height_m, laser.max_range_m, cell_size_m}, cell_memory_bytes) {}
 
 std::size_t ScanPlan::cell_count() const {
@@ -65,12 +66,13 @@ void ScanPlan::for_poses(std::span<const Pose> poses, const Kernels& kernels, un
     const std::size_t turns = threads == 1 ? 1 : 4 * std::size_t{thread_count(threads)};
     const std::size_t grain = std::max<std::size_t>(1, (end - begin) / turns);
     parallel_for(end - begin, grain, threads, [&](std::size_t from, std::size_t to) {
-      Workspace workspace(beams_.padded_rays());
-      for (std::size_t i = begin + from; i < begin + to; ++i) {
-        if (done[i] == 0) {
-          done[i] = try_piece(poses, i * kPiece, kernels, work, workspace) ? 1 : 0;
+      workspaces_.lend([&](Workspace& workspace) {
+        for (std::size_t i = begin + from; i < begin + to; ++i) {
+          if (done[i] == 0) {
+            done[i] = try_piece(poses, i * kPiece, kernels, work, workspace) ? 1 : 0;
+          }
         }
-      }
+      });
     });
   };
   {

@@ -8,6 +8,7 @@
 
 #include "navcore/engine/cell_cache.hpp"
 #include "navcore/engine/kernels.hpp"
+#include "navcore/engine/workspace_pool.hpp"
 
 namespace mapwright::navcore::engine {
 
@@ -41,6 +42,7 @@ class ScanPlan {
   LaserModel laser_;
   BeamTable beams_;
   ScanSetup setup_;
+  mutable WorkspacePool workspaces_;
   mutable std::shared_mutex mutex_;  ///< shared: cells are read; exclusive: cells change
   mutable CellCache cells_;
 };
