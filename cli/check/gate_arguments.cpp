@@ -1,6 +1,6 @@
 #include "cli/check/gate_arguments.hpp"
 
-#include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/laser_options.hpp"
 #include "cli/support/number_options.hpp"
@@ -10,21 +10,21 @@ namespace mapwright::cli {
 namespace po = boost::program_options;
 
 void declare_gate_options(po::options_description& options) {
-  const auto text = [](const char* value) {
-    return po::value<std::string>()->default_value(value);
-  };
   auto add = options.add_options();
-  add("robot-radius", text("0.3"), "of the robot, a disc, in metres");
-  add("ramps", text("free"), "free: driven across like open ground; avoid: their footprints block");
-  add("plans", text("20"), "paths to plan between random places of the largest area; 0: none");
-  add("trials", text("10"), "localization runs from random places; 0: none");
-  add("min-converged", text("0.8"),
+  add("robot-radius", text_value("0.3"), "of the robot, a disc, in metres");
+  add("ramps", text_value("free"),
+      "free: driven across like open ground; avoid: their footprints block");
+  add("plans", text_value("20"),
+      "paths to plan between random places of the largest area; 0: none");
+  add("trials", text_value("10"), "localization runs from random places; 0: none");
+  add("min-converged", text_value("0.8"),
       "share of the localization runs, from 0 to 1, that must find their place (else N104)");
-  add("localizability", text("1000"),
+  add("localizability", text_value("1000"),
       "places, spread over the map, at which to look what a scan can tell (N107, N108); 0: none");
-  add("min-unreachable", text("1"), "smallest area, in m², that N102 reports as out of reach");
+  add("min-unreachable", text_value("1"),
+      "smallest area, in m², that N102 reports as out of reach");
   declare_laser_options(options);
-  add("seed", text("1"), "of the random numbers, a whole number");
+  declare_seed(options, "of the random numbers, a whole number");
 }
 
 validators::GateOptions gate_options(const po::variables_map& values) {
@@ -34,12 +34,11 @@ validators::GateOptions gate_options(const po::variables_map& values) {
   robot.robot_radius_m = number_option(values, "robot-radius", 0.0);
   options.min_unreachable_m2 = number_option(values, "min-unreachable", 0.0);
   options.min_converged = number_option(values, "min-converged", 0.0, 1.0);
-  robot.plans = parse_integer("plans", text("plans"), 0, 1'000'000);
-  robot.localization_trials = parse_integer("trials", text("trials"), 0, 1'000'000);
-  robot.localizability_places =
-      parse_integer("localizability", text("localizability"), 0, 1'000'000);
+  robot.plans = integer_option(values, "plans", 0, 1'000'000);
+  robot.localization_trials = integer_option(values, "trials", 0, 1'000'000);
+  robot.localizability_places = integer_option(values, "localizability", 0, 1'000'000);
   robot.localization.laser = laser_model(values);
-  robot.seed = parse_integer("seed", text("seed"));
+  robot.seed = seed_option(values);
   if (text("ramps") != "free" && text("ramps") != "avoid") {
     fail_usage("--ramps: '" + text("ramps") + "' is neither free nor avoid");
   }

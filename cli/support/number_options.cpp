@@ -42,12 +42,9 @@ double positive_option(const po::variables_map& values, const std::string& name,
   return value;
 }
 
-bool json_wanted(const po::variables_map& values) {
-  const auto& format = values["format"].as<std::string>();
-  if (format != "text" && format != "json") {
-    fail_usage("--format: '" + format + "' is neither text nor json");
-  }
-  return format == "json";
+std::uint64_t integer_option(const po::variables_map& values, const std::string& name,
+                             std::uint64_t least, std::uint64_t most) {
+  return parse_integer(name, values[name].as<std::string>(), least, most);
 }
 
 }  // namespace mapwright::cli

@@ -3,6 +3,7 @@
 
 #include <boost/program_options.hpp>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace mapwright::cli {
@@ -16,7 +17,10 @@ double number_option(const boost::program_options::variables_map& values, const 
 double positive_option(const boost::program_options::variables_map& values, const std::string& name,
                        double most = HUGE_VAL);
 
-/// True if option "format" says json, false if text. Throws Error (kUsage) for anything else.
-bool json_wanted(const boost::program_options::variables_map& values);
+/// The whole number of option `name`, which is text with a default, from `least` to `most`. Throws
+/// Error (kUsage) that names the option.
+std::uint64_t integer_option(const boost::program_options::variables_map& values,
+                             const std::string& name, std::uint64_t least = 0,
+                             std::uint64_t most = UINT64_MAX);
 
 }  // namespace mapwright::cli

@@ -10,7 +10,7 @@
 #include "cli/check/record_sink.hpp"
 #include "cli/check/run_settings.hpp"
 #include "cli/check/shard_part.hpp"
-#include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/map_list.hpp"
@@ -98,15 +98,12 @@ void Check::declare(po::options_description& options,
 }
 
 void Check::declare_batch(po::options_description& options) {
-  const auto text = [](const char* value) {
-    return po::value<std::string>()->default_value(value);
-  };
   auto add = options.add_options();
   add("recursive,r", po::bool_switch(&recursive_), "look for maps in subfolders of folders too");
-  add("jobs", text("1"),
+  add("jobs", text_value("1"),
       "maps to check at once; 0: as many as the machine has cores. The report is the same");
-  add("time-limit", text("600"), "seconds that the check of one map may take; 0: no limit");
-  add("memory-limit", text("0"),
+  add("time-limit", text_value("600"), "seconds that the check of one map may take; 0: no limit");
+  add("memory-limit", text_value("0"),
       "megabytes of memory (address space) that the check of one map may take; 0: no limit");
   add("shard", po::value<std::string>(),
       "part/parts: check this part of the maps only. Which part a map is in depends on its path "
@@ -123,8 +120,7 @@ void Check::configure(const po::variables_map& values) {
   if (values.count("shard") > 0) {
     shard_ = parse_shard("shard", values["shard"].as<std::string>());
   }
-  batch_.jobs =
-      static_cast<unsigned>(parse_integer("jobs", values["jobs"].as<std::string>(), 0, 1024));
+  batch_.jobs = static_cast<unsigned>(integer_option(values, "jobs", 0, 1024));
   batch_.limits.time_s = number_option(values, "time-limit", 0.0, 1e9);
   batch_.limits.memory_bytes =
       static_cast<std::uint64_t>(1e6 * number_option(values, "memory-limit", 0.0, 1e9));

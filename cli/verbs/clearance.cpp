@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
-#include "cli/support/number_options.hpp"
 #include "cli/verb.hpp"
 #include "navcore/exact/clearance_table.hpp"
 
@@ -76,17 +76,13 @@ class Clearance : public Verb {
 
   void declare(po::options_description& options,
                po::positional_options_description& positionals) override {
-    const auto text = [](const char* value) {
-      return po::value<std::string>()->default_value(value);
-    };
+    declare_map_argument(options, positionals, map_path_);
     auto add = options.add_options();
-    add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
-    add("radii", text("0,0.1,0.2,0.3,0.4,0.5,0.6,0.8,1,1.5,2"),
+    add("radii", text_value("0,0.1,0.2,0.3,0.4,0.5,0.6,0.8,1,1.5,2"),
         "of the robot, a disc, in metres; 0 for a point");
-    add("ramps", text("free"),
+    add("ramps", text_value("free"),
         "free: driven across like open ground; avoid: their footprints block");
-    add("format", text("text"), "text or json");
-    positionals.add("map", 1);
+    declare_answer_format(options);
   }
 
   void configure(const po::variables_map& values) override {

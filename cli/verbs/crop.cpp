@@ -1,6 +1,7 @@
 #include "mapcore/parts/crop.hpp"
 #include "cli/convert/converted_files.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/verb.hpp"
@@ -38,14 +39,13 @@ class CropVerb : public Verb {
 
   void declare(po::options_description& options,
                po::positional_options_description& positionals) override {
+    declare_map_argument(options, positionals, map_path_);
     auto add = options.add_options();
-    add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
     add("output,o", po::value(&output_)->required(),
         "the part to write, its sidecar beside it; - writes the part alone to standard output");
     add("bbox", po::value(&bbox_), "X1,Y1,X2,Y2 in metres of the map");
     add("circle", po::value(&circle_), "X,Y,R in metres of the map: centre and radius");
     add("cut", po::bool_switch(&options_.cut), "clip outlines and walls at the box");
-    positionals.add("map", 1);
   }
 
   void configure(const po::variables_map&) override {

@@ -7,6 +7,7 @@
 #include "cli/diff/diff_answer.hpp"
 #include "cli/diff/diff_wording.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/findings_text.hpp"
@@ -83,9 +84,6 @@ class Diff : public Verb {
 
 void Diff::declare(po::options_description& options,
                    po::positional_options_description& positionals) {
-  const auto text = [](const char* value) {
-    return po::value<std::string>()->default_value(value);
-  };
   auto add = options.add_options();
   add("map", po::value(&arguments_)->required()->composing(),
       "the old map and the new one; - reads standard input");
@@ -94,22 +92,25 @@ void Diff::declare(po::options_description& options,
       "where to write it; - is standard output");
   add("picture", po::value(&picture_),
       "also draw the new map with its changes: a file .svg, .png or .pdf");
-  add("tolerance", text("0.0005"),
+  add("tolerance", text_value("0.0005"),
       "coordinates and heights that differ by no more, in metres, are the same");
-  add("longest-move", text("10"),
+  add("longest-move", text_value("10"),
       "an obstacle with another number that is farther off than this, in metres, is another one");
   add("no-navigation", po::bool_switch(&no_navigation_), "compare obstacles and border only");
-  add("robot-radius", text("0.3"), "of the robot, a disc, in metres");
-  add("ramps", text("free"), "free: driven across like open ground; avoid: their footprints block");
-  add("scans", text("200"), "laser scans to compare, from random places free in both maps");
-  add("scan-tolerance", text("0.05"), "ranges that differ by no more, in metres, are the same");
-  add("routes", text("20"), "shortest paths to compare, between random places");
+  add("robot-radius", text_value("0.3"), "of the robot, a disc, in metres");
+  add("ramps", text_value("free"),
+      "free: driven across like open ground; avoid: their footprints block");
+  add("scans", text_value("200"), "laser scans to compare, from random places free in both maps");
+  add("scan-tolerance", text_value("0.05"),
+      "ranges that differ by no more, in metres, are the same");
+  add("routes", text_value("20"), "shortest paths to compare, between random places");
   add("place", po::value(&places_)->composing(),
       "x,y: compare the routes between each two of these places instead; may be given many times");
-  add("min-area", text("1"), "smallest area, in m², to tell of where the robot can get no more");
+  add("min-area", text_value("1"),
+      "smallest area, in m², to tell of where the robot can get no more");
   declare_laser_options(options);
-  add("seed", text("1"), "of the random places, a whole number");
-  add("jobs", text("0"), "threads; 0: as many as the machine has. The answer is the same");
+  declare_seed(options, "of the random places, a whole number");
+  add("jobs", text_value("0"), "threads; 0: as many as the machine has. The answer is the same");
   add("skip-broken", po::bool_switch(&skip_broken_),
       "compare what can be read of a map with defects in its text");
   add("git", po::bool_switch(&git_),
@@ -161,10 +162,10 @@ void Diff::configure_navigation(const po::variables_map& values) {
   navigation_.robot_radius_m = number_option(values, "robot-radius", 0.0);
   navigation_.scan_tolerance_m = number_option(values, "scan-tolerance", 0.0);
   navigation_.min_area_m2 = number_option(values, "min-area", 0.0);
-  navigation_.scans = parse_integer("scans", text("scans"), 0, 1'000'000);
-  navigation_.routes = parse_integer("routes", text("routes"), 0, 1'000'000);
-  navigation_.seed = parse_integer("seed", text("seed"));
-  navigation_.threads = static_cast<unsigned>(parse_integer("jobs", text("jobs"), 0, 1024));
+  navigation_.scans = integer_option(values, "scans", 0, 1'000'000);
+  navigation_.routes = integer_option(values, "routes", 0, 1'000'000);
+  navigation_.seed = seed_option(values);
+  navigation_.threads = static_cast<unsigned>(integer_option(values, "jobs", 0, 1024));
   navigation_.laser = laser_model(values);
   for (const auto& place : places_) navigation_.places.push_back(parse_point("place", place));
   if (navigation_.places.size() == 1) fail_usage("--place: a route needs two places");

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/map_files.hpp"
@@ -59,8 +60,8 @@ class Export : public Verb {
 
   void declare(po::options_description& options,
                po::positional_options_description& positionals) override {
+    declare_map_argument(options, positionals, map_path_);
     auto add = options.add_options();
-    add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
     add("output,o", po::value(&output_)->required(), "the file to write; see above");
     add("crs", po::value(&crs_),
         "CRS of GIS layers: EPSG:CODE, WKT, or map for metres of the map's frame (default: that of "
@@ -71,7 +72,6 @@ class Export : public Verb {
         "of an occupancy grid: metres above the ground; only what is higher occupies cells. 0 "
         "shows "
         "all that stops a robot, steps of stairs included; a laser's height what it sees");
-    positionals.add("map", 1);
   }
 
   void configure(const po::variables_map& values) override {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/fix/fix_answer.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/findings_text.hpp"
@@ -112,18 +113,17 @@ class Fix : public Verb {
 
 void Fix::declare(po::options_description& options,
                   po::positional_options_description& positionals) {
+  declare_map_argument(options, positionals, map_path_);
   auto add = options.add_options();
-  add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
   add("output,o", po::value(&output_), "where to write the repaired map; - is standard output");
   add("in-place", po::bool_switch(&in_place_), "write it over the map");
   add("dry-run", po::bool_switch(&dry_run_), "write nothing; print the change as a unified diff");
-  add("snap", po::value<std::string>()->default_value("0.01"),
+  add("snap", text_value("0.01"),
       "metres: ends nearer to each other were meant to be one point; 0 moves nothing");
   add("only", po::value(&only_)->composing(), "repair these alone: codes with commas, and layout");
   add("except", po::value(&except_)->composing(), "do not repair these");
-  add("format", po::value<std::string>()->default_value("text"), "of the answer: text or json");
+  declare_answer_format(options);
   declare_config_options(options);
-  positionals.add("map", 1);
 }
 
 void Fix::configure(const po::variables_map& values) {

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "cli/convert/converted_files.hpp"
-#include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/findings_text.hpp"
 #include "cli/support/number_options.hpp"
@@ -48,10 +48,6 @@ std::optional<SourceKind> kind_of(const std::string& path) {
   return std::nullopt;
 }
 
-po::typed_value<std::string>* text(const char* value) {
-  return po::value<std::string>()->default_value(value);
-}
-
 class Import : public Verb {
  public:
   std::string_view synopsis() const override { return "LINES.csv|GRID.yaml -o MAP.txt [OPTIONS]"; }
@@ -62,13 +58,14 @@ class Import : public Verb {
     auto add = options.add_options();
     add("source", po::value(&source_)->required(), "table of lines or grid");
     add("output,o", po::value(&output_)->required(), "the map; - writes standard output");
-    add("height", text("2"), "of all segments, in metres: such sources give none");
+    add("height", text_value("2"), "of all segments, in metres: such sources give none");
     add("outdoor", "segments are marked outdoor, not indoor");
-    add("margin", text("1"),
+    add("margin", text_value("1"),
         "metres from everything to the map's border, rounded up to whole ones");
-    add("simplify", text("0.05"),
+    add("simplify", text_value("0.05"),
         "grids: metres that an outline may move; 0 keeps all its corners");
-    add("smallest-area", text("0"), "grids: outlines around less are left out, square metres");
+    add("smallest-area", text_value("0"),
+        "grids: outlines around less are left out, square metres");
     positionals.add("source", 1);
   }
 

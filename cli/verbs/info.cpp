@@ -1,5 +1,6 @@
 #include "cli/info/map_summary.hpp"
 #include "cli/info/summary_output.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/findings_text.hpp"
 #include "cli/support/map_files.hpp"
@@ -32,23 +33,17 @@ class Info : public Verb {
 
   void declare(po::options_description& options,
                po::positional_options_description& positionals) override {
-    auto add = options.add_options();
-    add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
-    add("format", po::value(&format_)->default_value("text"), "of the answer: text or json");
-    positionals.add("map", 1);
+    declare_map_argument(options, positionals, map_path_);
+    declare_answer_format(options);
   }
 
-  void configure(const po::variables_map&) override {
-    if (format_ != "text" && format_ != "json") {
-      fail_usage("--format: '" + format_ + "' is neither text nor json");
-    }
-  }
+  void configure(const po::variables_map& values) override { json_ = json_wanted(values); }
 
   ExitStatus run(Console& console) override {
     const MapDocument document = read_map_file(map_path_);
     report_findings(console, map_path_, document.findings);
     const auto georeference = read_sidecar_of(map_path_, console);
-    const auto write = format_ == "json" ? write_summary_json : write_summary_text;
+    const auto write = json_ ? write_summary_json : write_summary_text;
     write(console.out(), map_path_, summarize(document), georeference);
     const bool is_well = !has_errors(document.findings) && sidecar_is_well_;
     return is_well ? ExitStatus::kSuccess : ExitStatus::kNegative;
@@ -66,7 +61,7 @@ class Info : public Verb {
   }
 
   std::string map_path_;
-  std::string format_;
+  bool json_ = false;
   bool sidecar_is_well_ = true;
 };
 

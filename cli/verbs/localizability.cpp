@@ -4,6 +4,7 @@
 #include "cli/localizability/answer_writers.hpp"
 #include "cli/localizability/field_layers.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/laser_options.hpp"
@@ -88,46 +89,45 @@ class Localizability : public Verb {
   bool json_ = false;
 };
 
-po::typed_value<std::string>* text(const char* value) {
-  return po::value<std::string>()->default_value(value);
-}
-
 void Localizability::declare(po::options_description& options,
                              po::positional_options_description& positionals) {
+  declare_map_argument(options, positionals, map_path_);
   auto add = options.add_options();
-  add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
   add("output,o", po::value(&output_), "the file to write: .png, .svg, .pdf, .tif or .gpkg");
-  add("cell", text("0.5"), "side of the cells, in metres");
+  add("cell", text_value("0.5"), "side of the cells, in metres");
   add("bbox", po::value<std::string>(),
       "part to look at: x1,y1,x2,y2 in metres (default: the map's border)");
-  add("robot-radius", text("0"), "places where a disc of this radius fits, in metres; 0: a point");
+  add("robot-radius", text_value("0"),
+      "places where a disc of this radius fits, in metres; 0: a point");
   declare_laser_options(options);
-  add("laser-noise", text("0.05"), "standard deviation of a range, in metres");
-  add("occlusion", text("0.1"),
+  add("laser-noise", text_value("0.05"), "standard deviation of a range, in metres");
+  add("occlusion", text_value("0.1"),
       "share of the beams, from 0 to below 1, whose range says nothing of the map: people, cars, "
       "what the map lacks");
-  add("headings", text("16"), "headings of the robot to look at, over a full turn");
+  add("headings", text_value("16"), "headings of the robot to look at, over a full turn");
   add("heading", po::value<std::string>(), "this heading of the robot only, in degrees");
-  add("at", text("median"), "what files show: at the median or the worst of a place's headings");
-  add("compass-error", text("3"),
+  add("at", text_value("median"),
+      "what files show: at the median or the worst of a place's headings");
+  add("compass-error", text_value("3"),
       "standard deviation of the compass, in degrees: it tells places "
       "apart that look the same in different directions");
   add("no-compass", "the heading is not known");
-  add("apart", text("2"), "what is nearer than this, in metres, is no other place");
+  add("apart", text_value("2"), "what is nearer than this, in metres, is no other place");
   add("no-twins", "do not look for places that look the same");
-  add("limit", text("1"), "areas where a scan tells the position less well, in metres (N107)");
-  add("risk", text("0.1"), "areas where the risk of confusion is greater, 0 to 0.5 (N108)");
-  add("min-area", text("10"), "smallest of these areas, in m²");
-  add("show", text("accuracy"),
+  add("limit", text_value("1"),
+      "areas where a scan tells the position less well, in metres (N107)");
+  add("risk", text_value("0.1"), "areas where the risk of confusion is greater, 0 to 0.5 (N108)");
+  add("min-area", text_value("10"), "smallest of these areas, in m²");
+  add("show", text_value("accuracy"),
       "what a picture shows: accuracy, edges (accuracy where edges of things count), heading or "
       "risk");
-  add("width", text("1600"), "width of a PNG in pixels, 200 to 20000");
-  add("confirm", text("0"), "hold the map against particle filters at so many random places");
-  add("confirm-runs", text("20"), "with --confirm: runs of the tracking filter at each place");
-  add("seed", text("1"), "with --confirm: of the random numbers, a whole number");
-  add("threads", text("0"), "0: as many as the machine has. The answer is the same");
-  add("format", text("text"), "text or json");
-  positionals.add("map", 1);
+  add("width", text_value("1600"), "width of a PNG in pixels, 200 to 20000");
+  add("confirm", text_value("0"), "hold the map against particle filters at so many random places");
+  add("confirm-runs", text_value("20"),
+      "with --confirm: runs of the tracking filter at each place");
+  declare_seed(options, "with --confirm: of the random numbers, a whole number");
+  declare_threads(options);
+  declare_answer_format(options);
 }
 
 void Localizability::configure_field(const po::variables_map& values) {
@@ -143,7 +143,7 @@ void Localizability::configure_field(const po::variables_map& values) {
   settings_.laser = laser_model(values);
   settings_.noise = {positive_option(values, "laser-noise"),
                      number_option(values, "occlusion", 0.0, 0.99)};
-  settings_.headings = parse_integer("headings", values["headings"].as<std::string>(), 1, 720);
+  settings_.headings = integer_option(values, "headings", 1, 720);
   if (values.count("heading") > 0) {
     settings_.heading_deg = parse_number("heading", values["heading"].as<std::string>());
   }
@@ -151,8 +151,7 @@ void Localizability::configure_field(const po::variables_map& values) {
   if (values.count("no-compass") > 0) settings_.compass_sigma_deg.reset();
   settings_.apart_m = positive_option(values, "apart");
   settings_.look_for_twins = values.count("no-twins") == 0;
-  settings_.threads =
-      static_cast<unsigned>(parse_integer("threads", values["threads"].as<std::string>(), 0, 1024));
+  settings_.threads = threads_option(values);
 }
 
 void Localizability::configure(const po::variables_map& values) {
@@ -168,12 +167,10 @@ void Localizability::configure(const po::variables_map& values) {
   if (shown_ == Shown::kRisk && !settings_.look_for_twins) {
     fail_usage("--show risk and --no-twins exclude each other");
   }
-  width_px_ =
-      static_cast<int>(parse_integer("width", values["width"].as<std::string>(), 200, 20000));
-  confirmation_.places = parse_integer("confirm", values["confirm"].as<std::string>(), 0, 100'000);
-  confirmation_.runs =
-      parse_integer("confirm-runs", values["confirm-runs"].as<std::string>(), 1, 10'000);
-  confirmation_.seed = parse_integer("seed", values["seed"].as<std::string>());
+  width_px_ = static_cast<int>(integer_option(values, "width", 200, 20000));
+  confirmation_.places = integer_option(values, "confirm", 0, 100'000);
+  confirmation_.runs = integer_option(values, "confirm-runs", 1, 10'000);
+  confirmation_.seed = seed_option(values);
   json_ = json_wanted(values);
 }
 

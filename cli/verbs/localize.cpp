@@ -4,6 +4,7 @@
 #include "cli/localize/recorded_localization.hpp"
 #include "cli/plan/places.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/laser_options.hpp"
 #include "cli/support/map_files.hpp"
@@ -88,26 +89,22 @@ class Localize : public Verb {
   bool json_ = false;
 };
 
-po::typed_value<std::string>* text(const char* value) {
-  return po::value<std::string>()->default_value(value);
-}
-
 void Localize::declare(po::options_description& options,
                        po::positional_options_description& positionals) {
+  declare_map_argument(options, positionals, map_path_);
   auto add = options.add_options();
-  add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
   add("pose", po::value<std::string>(),
       "true pose of the robot at the first scan: x,y in metres, heading in degrees");
   add("trials", po::value<std::string>(), "run so many experiments from random places");
-  add("require", text("50"),
+  add("require", text_value("50"),
       "with --trials: percentage of runs that must converge for exit status 0");
-  add("iterations", text("32"), "scans of a run; before each but the first the robot drives");
-  add("step", text("1"), "metres the robot drives between scans");
-  add("robot-radius", text("0.4"), "of the driving robot, in metres");
+  add("iterations", text_value("32"), "scans of a run; before each but the first the robot drives");
+  add("step", text_value("1"), "metres the robot drives between scans");
+  add("robot-radius", text_value("0.4"), "of the driving robot, in metres");
   add("initial-pose", po::value<std::string>(),
       "track: where the filter believes to start, x,y in metres, heading in degrees");
   add("known-start", "with --trials: track; the filter believes to start near the truth");
-  add("initial-error", text("0.5,5"),
+  add("initial-error", text_value("0.5,5"),
       "with --initial-pose or --known-start: standard deviations of that belief, metres and "
       "degrees");
   declare_laser_options(options);
@@ -115,20 +112,19 @@ void Localize::declare(po::options_description& options,
   declare_filter_options(options);
   declare_recorded_options(options);
   declare_engine_option(options, "fast");
-  add("seed", text("1"), "of the random numbers, a whole number; trial i has seed + i");
-  add("threads", text("0"), "0: as many as the machine has. The answer is the same");
+  declare_seed(options, "of the random numbers, a whole number; trial i has seed + i");
+  declare_threads(options);
   add("with-particles", "put particles and scans into the JSON answer");
-  add("format", text("text"), "text or json");
-  positionals.add("map", 1);
+  declare_answer_format(options);
 }
 
 void Localize::declare_filter_options(po::options_description& options) {
   auto add = options.add_options();
-  add("likelihood", text("robust"), "robust, or report: Eq. (4)-(6) to the letter");
-  add("particles", text("6000"), "number of particles");
+  add("likelihood", text_value("robust"), "robust, or report: Eq. (4)-(6) to the letter");
+  add("particles", text_value("6000"), "number of particles");
   add("first-particles", po::value<std::string>(),
       "scored against the first scan only [robust: 50000, report: as --particles]");
-  add("alpha", text("1"), "weight of the normal part of Eq. (5)");
+  add("alpha", text_value("1"), "weight of the normal part of Eq. (5)");
   add("beta", po::value<std::string>(),
       "weight of its uniform part, for beams shorter than the map says [robust: 1, report: 0.1]");
   add("gamma", po::value<std::string>(),
@@ -137,15 +133,12 @@ void Localize::declare_filter_options(po::options_description& options) {
       "standard deviation of the normal part, in metres [robust: 0.15, report: 0.5]");
   add("temper", po::value<std::string>(),
       "exponent of a scan's likelihood, above 0 and up to 1; robust only [0.3]");
-  add("compass-error", text("3"), "standard deviation of the compass, degrees; read once");
+  add("compass-error", text_value("3"), "standard deviation of the compass, degrees; read once");
   add("no-compass", "the heading is not known at the start");
 }
 
 void Localize::configure(const po::variables_map& values) {
-  const auto integer = [&](const char* name, std::uint64_t least, std::uint64_t most) {
-    return parse_integer(name, values[name].as<std::string>(), least, most);
-  };
-  threads_ = static_cast<unsigned>(integer("threads", 0, 1024));
+  threads_ = threads_option(values);
   required_percent_ = number_option(values, "require", 0.0, 100.0);
   engine_ = ray_engine_kind(values);
   json_ = json_wanted(values);
@@ -160,13 +153,13 @@ void Localize::configure(const po::variables_map& values) {
   configure_filter(values);
   settings.laser = laser_model(values);
   settings.laser_noise = laser_noise(values, "laser-noise");
-  settings.iterations = integer("iterations", 1, 1'000'000);
+  settings.iterations = integer_option(values, "iterations", 1, 1'000'000);
   settings.step_m = number_option(values, "step", 0.0);
   settings.robot_radius_m = number_option(values, "robot-radius", 0.0);
   settings.compass_error_deg = number_option(values, "compass-error", 0.0);
   settings.heading_known = values.count("no-compass") == 0;
   settings.keep_particles = values.count("with-particles") > 0;
-  question_.seed = integer("seed", 0, UINT64_MAX);
+  question_.seed = seed_option(values);
   configure_start(values);
 }
 
@@ -187,7 +180,7 @@ void Localize::configure_start(const po::variables_map& values) {
   if (values.count("trials") > 0) {
     if (values.count("initial-pose") > 0) fail_usage("--initial-pose needs --pose, not --trials");
     if (settings.keep_particles) fail_usage("--with-particles needs --pose, not --trials");
-    trials_ = parse_integer("trials", values["trials"].as<std::string>(), 1, 1'000'000);
+    trials_ = integer_option(values, "trials", 1, 1'000'000);
     return;
   }
   pose_ = parse_pose("pose", values["pose"].as<std::string>());
@@ -208,12 +201,10 @@ void Localize::configure_filter(const po::variables_map& values) {
   if (!robust && (given("gamma") || given("temper"))) {
     fail_usage("--gamma and --temper belong to --likelihood robust");
   }
-  filter.particles =
-      parse_integer("particles", values["particles"].as<std::string>(), 1, kMostParticles);
+  filter.particles = integer_option(values, "particles", 1, kMostParticles);
   if (!robust) filter.first_particles = filter.particles;
   if (given("first-particles")) {
-    filter.first_particles = parse_integer(
-        "first-particles", values["first-particles"].as<std::string>(), 1, kMostParticles);
+    filter.first_particles = integer_option(values, "first-particles", 1, kMostParticles);
   }
   filter.first_particles = std::max(filter.first_particles, filter.particles);
   filter.likelihood.alpha = positive_option(values, "alpha");

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/frame_options.hpp"
@@ -49,8 +50,7 @@ class New : public Verb {
     add("size", po::value(&size_)->default_value("200,200"),
         "WIDTH,HEIGHT of the border to begin with, in metres along the map's axes, the origin in "
         "its middle");
-    add("resolution", po::value<std::string>()->default_value("0.001"),
-        "metres that the map's coordinates will be rounded to");
+    add("resolution", text_value("0.001"), "metres that the map's coordinates will be rounded to");
     add("overwrite", po::bool_switch(&overwrite_), "replace an existing file");
     positionals.add("site", 1);
   }

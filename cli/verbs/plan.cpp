@@ -3,7 +3,7 @@
 #include "cli/plan/answer_writers.hpp"
 #include "cli/plan/query_file.hpp"
 #include "cli/plan/solver.hpp"
-#include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
 #include "cli/support/number_options.hpp"
@@ -79,11 +79,8 @@ class Plan : public Verb {
 void Plan::declare(po::options_description& options,
                    po::positional_options_description& positionals) {
   static const std::string planner_help = "one of " + planner_names();
-  const auto text = [](const char* value) {
-    return po::value<std::string>()->default_value(value);
-  };
+  declare_map_argument(options, positionals, map_path_);
   auto add = options.add_options();
-  add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
   add("start", po::value<std::string>(),
       "where the robot is: x,y in metres, or the name of a place");
   add("goal", po::value<std::string>(), "where it is to go: x,y in metres, or the name of a place");
@@ -92,8 +89,8 @@ void Plan::declare(po::options_description& options,
       "start,goal with names of places");
   add("planner", po::value(&settings_.planner)->default_value("balanced-rrt"),
       planner_help.c_str());
-  add("radius", text("0"), "of the robot, a disc, in metres; 0 for a point");
-  add("ramps", text("free"),
+  add("radius", text_value("0"), "of the robot, a disc, in metres; 0 for a point");
+  add("ramps", text_value("free"),
       "free: driven across like open ground; avoid: their footprints block; force: the path must "
       "cross one, the shortest way is taken");
   add("via", po::value<std::vector<std::string>>()->composing(),
@@ -101,34 +98,31 @@ void Plan::declare(po::options_description& options,
       "in order");
   add("via-ramp", po::value<std::vector<std::string>>()->composing(),
       "id of a ramp the path must cross, after all --via places; may be given several times");
-  add("seed", text("1"), "of the random numbers, a whole number");
-  add("max-iterations", text("100000"),
+  declare_seed(options, "of the random numbers, a whole number");
+  add("max-iterations", text_value("100000"),
       "random points a planner draws, on each leg, before it gives up");
-  add("max-extension", text("0"),
+  add("max-extension", text_value("0"),
       "longest edge of a random tree in metres; 0: no limit, as in the report. 20 makes planning "
       "on "
       "a map of a kilometre several times faster");
-  add("goal-bias", text("0"), "share of the random points, from 0 to below 1, that are the goal");
+  add("goal-bias", text_value("0"),
+      "share of the random points, from 0 to below 1, that are the goal");
   add("smooth", "shorten the paths of random planners (the default)");
   add("no-smooth", "leave them as they are");
-  add("smooth-clearance", text("0"),
+  add("smooth-clearance", text_value("0"),
       "what shortcuts keep away from obstacles beyond the radius, in metres");
-  add("jobs", text("1"),
+  add("jobs", text_value("1"),
       "threads for many queries; 0: as many as the machine has. The answer is the same");
   add("with-tree", "put search trees and paths before smoothing into the JSON answer");
-  add("format", text("text"), "text or json");
-  positionals.add("map", 1);
+  declare_answer_format(options);
 }
 
 void Plan::configure(const po::variables_map& values) {
   configure_queries(values);
   find_planner(settings_.planner);
-  const auto integer = [&](const char* name, std::uint64_t least, std::uint64_t most) {
-    return parse_integer(name, values[name].as<std::string>(), least, most);
-  };
-  settings_.seed = integer("seed", 0, UINT64_MAX);
-  settings_.rrt.max_iterations = integer("max-iterations", 1, 1'000'000'000);
-  jobs_ = static_cast<unsigned>(integer("jobs", 0, 1024));
+  settings_.seed = seed_option(values);
+  settings_.rrt.max_iterations = integer_option(values, "max-iterations", 1, 1'000'000'000);
+  jobs_ = static_cast<unsigned>(integer_option(values, "jobs", 0, 1024));
   settings_.radius_m = number_option(values, "radius", 0.0);
   settings_.rrt.max_extension_m = number_option(values, "max-extension", 0.0);
   settings_.rrt.goal_bias = number_option(values, "goal-bias", 0.0, 1.0);

@@ -6,6 +6,7 @@
 #include "cli/render/drawers.hpp"
 #include "cli/render/overlays.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/laser_options.hpp"
@@ -127,8 +128,8 @@ class Render : public Verb {
 
   void declare(po::options_description& options,
                po::positional_options_description& positionals) override {
+    declare_map_argument(options, positionals, map_path_);
     auto add = options.add_options();
-    add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
     add("output,o", po::value(&output_)->required(), "the picture: .svg, .png, .pdf or .webp");
     add("overlay", po::value(&overlay_paths_)->composing(),
         "JSON answer of scan, localize, plan, validate or check to draw over the map; may be given "
@@ -147,13 +148,12 @@ class Render : public Verb {
         "part to draw: x1,y1,x2,y2 in metres (default: border and all obstacles)");
     add("width", po::value(&options_.width_px)->default_value(options_.width_px),
         "width of a PNG or WebP in pixels, 200 to 20000; SVG and PDF are width/2 points wide");
-    add("labels", po::value<std::string>()->default_value("heights"),
+    add("labels", text_value("heights"),
         "what to write beside obstacles where there is room: heights, ids, names or none");
     add("ticks", "draw orientation strokes on the free side of segments (the default)");
     add("no-ticks", "draw none");
     add("title", po::value(&options_.title), "a title above the map");
     declare_laser_options(options);
-    positionals.add("map", 1);
   }
 
   void configure(const po::variables_map& values) override {

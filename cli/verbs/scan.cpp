@@ -3,10 +3,10 @@
 
 #include "cli/plan/places.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/laser_options.hpp"
 #include "cli/support/map_files.hpp"
-#include "cli/support/number_options.hpp"
 #include "cli/support/number_table.hpp"
 #include "cli/support/pose_json.hpp"
 #include "cli/support/ray_engine.hpp"
@@ -105,8 +105,8 @@ class ScanVerb : public Verb {
 
 void ScanVerb::declare(po::options_description& options,
                        po::positional_options_description& positionals) {
+  declare_map_argument(options, positionals, map_path_);
   auto add = options.add_options();
-  add("map", po::value(&map_path_)->required(), "the map; - reads standard input");
   add("pose", po::value<std::string>(),
       "of the robot: x,y in metres and the heading in degrees, counter-clockwise from +x");
   add("poses", po::value(&poses_path_),
@@ -114,9 +114,8 @@ void ScanVerb::declare(po::options_description& options,
   declare_laser_options(options);
   declare_noise_options(options, "noise", "0");
   declare_engine_option(options, "culled");
-  add("seed", po::value<std::string>()->default_value("1"), "of the noise, a whole number");
-  add("format", po::value<std::string>()->default_value("text"), "text or json");
-  positionals.add("map", 1);
+  declare_seed(options, "of the noise, a whole number");
+  declare_answer_format(options);
 }
 
 void ScanVerb::configure(const po::variables_map& values) {
@@ -130,7 +129,7 @@ void ScanVerb::configure(const po::variables_map& values) {
   }
   laser_ = laser_model(values);
   noise_ = laser_noise(values, "noise");
-  seed_ = parse_integer("seed", values["seed"].as<std::string>());
+  seed_ = seed_option(values);
   engine_ = ray_engine_kind(values);
   json_ = json_wanted(values);
 }
