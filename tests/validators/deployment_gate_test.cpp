@@ -12,6 +12,7 @@
 #include "tests/navcore/hand_made_maps.hpp"
 #include "tests/support/data.hpp"
 #include "validators/check_pages.hpp"
+#include "validators/deployment/localizability_findings.hpp"
 
 namespace mapwright::validators {
 namespace {
@@ -134,6 +135,25 @@ TEST(DeploymentGate, N107SaysWhereAlongWhichDirectionAndForHowLong) {
   EXPECT_NE(finding.message.find("odometry for 3"), std::string::npos) << finding.message;
   ASSERT_EQ(finding.geometry.areas.size(), 1U);
   ASSERT_TRUE(outcome.deployment->localizability.has_value());
+}
+
+// A single row of places beside a long wall, which scans tell to `accuracy_m` along it.
+std::string text_of_weak_row(double accuracy_m) {
+  navcore::LocalizabilityField field;
+  field.grid = navcore::PlaceGrid::over(Box{0.0, 0.0, 10.0, 0.5}, 0.5);
+  navcore::WeakArea area;
+  for (std::size_t i = 0; i < 20; ++i) area.cells.push_back(i);
+  area.accuracy_m = accuracy_m;
+  field.accuracy.resize(20);
+  field.accuracy[area.middle].edges_median.with_edges.minor_m = 0.01;
+  return weak_area_text(field, area);
+}
+
+TEST(DeploymentGate, N107GivesNoBoundThatIsLongerThanTheArea) {
+  EXPECT_NE(text_of_weak_row(3.1).find("no better than to 3.1 m"), std::string::npos);
+  const std::string longer = text_of_weak_row(75.3);
+  EXPECT_NE(longer.find("does not tell the position along direction 0°"), std::string::npos);
+  EXPECT_EQ(longer.find("75"), std::string::npos) << longer;
 }
 
 TEST(DeploymentGate, PagesShowTheFixtures) {

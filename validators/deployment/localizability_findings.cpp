@@ -50,14 +50,16 @@ std::string inaccurate_text(const LocalizabilityField& field, const WeakArea& ar
   }
   const double degrees = bound.major_direction.degrees();
   const std::string direction = number("%.0f", degrees + 0.0 == 0.0 ? 0.0 : degrees) + "°";
-  const std::string what = std::isinf(area.accuracy_m)
+  const double length_m = length_along_m(field, area, bound.major_direction);
+  // A bound beyond the area's own length is no bound: it says where in the area the robot is, and
+  // that was known.
+  const std::string what = area.accuracy_m >= length_m
                                ? " a scan does not tell the position along direction " + direction
                                : " a scan tells the position along direction " + direction +
                                      " no better than to " + number("%.1f", area.accuracy_m) + " m";
   return place + what +
          "; add a landmark that the laser sees there, or let the robot rely on its " +
-         "odometry for " +
-         number("%.0f", std::ceil(length_along_m(field, area, bound.major_direction))) + " m";
+         "odometry for " + number("%.0f", std::ceil(length_m)) + " m";
 }
 
 std::string confusable_text(const LocalizabilityField& field, const WeakArea& area) {
