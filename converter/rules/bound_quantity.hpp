@@ -16,11 +16,12 @@ class BoundQuantity {
   BoundQuantity(const Quantity& quantity, const std::vector<std::string>& layer_fields,
                 const RuleSettings& settings);
 
-  /// The first term with a value, in metres (or plain numbers, for quantities that are no lengths).
-  /// Texts that are no quantity are added to `unreadable`.
-  std::optional<double> evaluate(const SourceFeature& feature,
-                                 std::vector<std::string>& unreadable) const {
-    return terms_.empty() ? std::nullopt : evaluate_terms(feature, unreadable);
+  /// Puts the first term with a value into `value`: metres (or plain numbers, for quantities that
+  /// are no lengths). Texts that are no quantity are added to `unreadable`. Most quantities have no
+  /// term in most layers, and leave `value` as it is.
+  void evaluate(const SourceFeature& feature, std::vector<std::string>& unreadable,
+                std::optional<double>& value) const {
+    if (!terms_.empty()) value = evaluate_terms(feature, unreadable);
   }
 
   /// "height, top_z − base_z, 2.5": the terms this layer has.

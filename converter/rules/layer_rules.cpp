@@ -114,7 +114,7 @@ InOut BoundRule::in_out_named(const std::string& value) const {
 }
 
 void BoundRule::read_direction(const SourceFeature& feature, Meaning& meaning) const {
-  meaning.direction_deg = rule_->constant_direction_deg;
+  if (rule_->constant_direction_deg) meaning.direction_deg = rule_->constant_direction_deg;
   if (direction_.empty()) return;
   const std::string word = folded(first_text(direction_, feature));
   if (word == "up") meaning.upwards = true;
@@ -128,6 +128,7 @@ void BoundRule::read_direction(const SourceFeature& feature, Meaning& meaning) c
 }
 
 void BoundRule::read_normal(const SourceFeature& feature, Meaning& meaning) const {
+  if (normal_x_.empty() || normal_y_.empty() || normal_z_.empty()) return;
   const auto x = first_number(normal_x_, feature);
   const auto y = first_number(normal_y_, feature);
   const auto z = first_number(normal_z_, feature);
@@ -138,15 +139,15 @@ void BoundRule::read(const SourceFeature& feature, SemanticScratch& scratch,
                      Meaning& meaning) const {
   meaning.clear();
   meaning.rule = rule_;
-  meaning.height_m = height_.evaluate(feature, meaning.unreadable);
-  meaning.base_height_m = base_height_.evaluate(feature, meaning.unreadable);
-  meaning.radius_m = radius_.evaluate(feature, meaning.unreadable);
-  meaning.rise_m = rise_.evaluate(feature, meaning.unreadable);
-  meaning.width_m = width_.evaluate(feature, meaning.unreadable);
-  meaning.steps = steps_.evaluate(feature, meaning.unreadable);
-  meaning.slope_deg = slope_.evaluate(feature, meaning.unreadable);
-  meaning.aspect_deg = aspect_.evaluate(feature, meaning.unreadable);
-  meaning.step_no = first_number(step_no_, feature);
+  height_.evaluate(feature, meaning.unreadable, meaning.height_m);
+  base_height_.evaluate(feature, meaning.unreadable, meaning.base_height_m);
+  radius_.evaluate(feature, meaning.unreadable, meaning.radius_m);
+  rise_.evaluate(feature, meaning.unreadable, meaning.rise_m);
+  width_.evaluate(feature, meaning.unreadable, meaning.width_m);
+  steps_.evaluate(feature, meaning.unreadable, meaning.steps);
+  slope_.evaluate(feature, meaning.unreadable, meaning.slope_deg);
+  aspect_.evaluate(feature, meaning.unreadable, meaning.aspect_deg);
+  if (!step_no_.empty()) meaning.step_no = first_number(step_no_, feature);
   if (!stair_id_.empty()) meaning.stair_id = first_text(stair_id_, feature);
   meaning.in_out = in_out(feature);
   read_direction(feature, meaning);
