@@ -198,8 +198,8 @@ Border border_of(const ConvertedMap& map, const Workspace& workspace) {
   return {round(box.min_x), round(box.max_y), round(box.max_x), round(box.min_y)};
 }
 
-bool are_steps(const PlainObstacle& wall, const std::set<Ends>& steps) {
-  const auto chain = wall.chain();
+bool are_steps(const PlainObstacle& wall, std::span<const Point> chain,
+               const std::set<Ends>& steps) {
   for (std::size_t i = 0; i < wall.segment_count(); ++i) {
     if (steps.count(ends_of(chain[i], chain[i + 1 == chain.size() ? 0 : i + 1])) == 0) return false;
   }
@@ -212,11 +212,13 @@ void say_step(std::size_t account, Ledger& ledger) {
 
 void drop_plain_walls(const std::set<Ends>& steps, Workspace& workspace) {
   bool some = false;
+  std::vector<Point> room;
   for (const auto& run : workspace.plain.runs()) {
     if (run.kind != FeatureKind::kWall) continue;
     for (std::size_t i = run.first; i < run.end; ++i) {
       auto& wall = workspace.plain.all()[i];
-      wall.is_gone = is_open_chain(wall.shape_type) && are_steps(wall, steps);
+      wall.is_gone = is_open_chain(wall.shape_type) &&
+                     are_steps(wall, workspace.plain.chain(wall, room), steps);
       some = some || wall.is_gone;
       if (wall.is_gone) say_step(wall.account, workspace.ledger);
     }

@@ -41,6 +41,8 @@ void ConvertedMap::visit_plain(const Run& run, const PlainVisitor& visit) const 
 
 void ConvertedMap::write(std::ostream& out, WriteOptions options, const Progress& progress) const {
   MapWriter writer(out, options);
+  const bool keeps_grid = options.resolution_m == plain_.resolution_m();
+  std::vector<Point> room;
   std::size_t done = 0;
   const auto tell = [&] {
     if (progress && ++done % 1024 == 0) progress(done, obstacle_count());
@@ -55,8 +57,17 @@ void ConvertedMap::write(std::ostream& out, WriteOptions options, const Progress
     visit_plain(run, [&](const PlainObstacle& plain, std::string_view semantic) {
       tell();
       const auto& style = plain_.style(plain);
-      writer.obstacle({plain.id, plain.shape_type, semantic, plain.chain(), plain.joined,
-                       plain.height_m, style.in_out, style.semantic.view()});
+      const bool on_grid = keeps_grid && plain.on_grid;
+      writer.obstacle({.id = plain.id,
+                       .shape_type = plain.shape_type,
+                       .semantic = semantic,
+                       .points = on_grid ? std::span<const Point>() : plain_.chain(plain, room),
+                       .grid_points = on_grid ? PlainObstacles::grid_chain(plain)
+                                              : std::span<const GridPoint>(),
+                       .joined = plain.joined,
+                       .height_m = plain.height_m,
+                       .in_out = style.in_out,
+                       .segment_semantic = style.semantic.view()});
     });
   }
   writer.finish();
@@ -65,6 +76,7 @@ void ConvertedMap::write(std::ostream& out, WriteOptions options, const Progress
 
 Map ConvertedMap::whole() const {
   Map map;
+  std::vector<Point> room;
   map.border = border;
   map.obstacles.reserve(obstacle_count());
   for (const auto& run : runs_) {
@@ -73,7 +85,8 @@ Map ConvertedMap::whole() const {
     }
     if (!run.plain) continue;
     visit_plain(run, [&](const PlainObstacle& plain, std::string_view semantic) {
-      map.obstacles.push_back(as_obstacle(plain, plain_.style(plain), Semantic(semantic)));
+      map.obstacles.push_back(
+          as_obstacle(plain, plain_.chain(plain, room), plain_.style(plain), Semantic(semantic)));
     });
   }
   return map;

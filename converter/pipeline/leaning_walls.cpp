@@ -25,16 +25,16 @@ bool is_wall(const PlainObstacle& plain) {
   return is_open_chain(plain.shape_type);
 }
 
-Box extent_of(const PlainObstacle& plain) {
+Box extent_of(std::span<const Point> chain) {
   Box box = kEmptyBox;
-  for (const Point p : plain.chain()) box.add(p);
+  for (const Point p : chain) box.add(p);
   return box;
 }
 
 // Calls `visit(a, b)` for each segment.
 template <class Visit>
-void for_each_segment(const PlainObstacle& plain, const Visit& visit) {
-  const auto chain = plain.chain();
+void for_each_segment(const PlainObstacle& plain, std::span<const Point> chain,
+                      const Visit& visit) {
   for (std::size_t i = 0; i < plain.segment_count(); ++i) {
     visit(chain[i], chain[i + 1 == chain.size() ? 0 : i + 1]);
   }
@@ -43,9 +43,10 @@ void for_each_segment(const PlainObstacle& plain, const Visit& visit) {
 // Box around all walls.
 Box extent_of_walls(const Workspace& workspace) {
   Box all = kEmptyBox;
+  std::vector<Point> room;
   for (const auto& plain : workspace.plain.all()) {
     if (!is_wall(plain)) continue;
-    for (const Point p : plain.chain()) all.add(p);
+    for (const Point p : workspace.plain.chain(plain, room)) all.add(p);
   }
   for (const auto& draft : workspace.drafts) {
     if (!is_wall(draft)) continue;
@@ -60,9 +61,12 @@ Box extent_of_walls(const Workspace& workspace) {
 // Edges of the rings that walls can lean on.
 SegmentIndex ring_edges(const Workspace& workspace, const Box& walls) {
   std::vector<IndexedSegment> edges;
+  std::vector<Point> room;
   for (const auto& plain : workspace.plain.all()) {
-    if (is_wall(plain) || !meet(extent_of(plain), walls)) continue;
-    for_each_segment(plain, [&](Point a, Point b) { edges.push_back({a, b, 0}); });
+    if (is_wall(plain)) continue;
+    const auto chain = workspace.plain.chain(plain, room);
+    if (!meet(extent_of(chain), walls)) continue;
+    for_each_segment(plain, chain, [&](Point a, Point b) { edges.push_back({a, b, 0}); });
   }
   for (const auto& draft : workspace.drafts) {
     if (!is_ring(draft) || !meet(extent(draft.obstacle), walls)) continue;
@@ -112,21 +116,16 @@ bool leans_wrongly(const Obstacle& wall, const SegmentIndex& edges) {
   return lean.is_wrong();
 }
 
-bool leans_wrongly(const PlainObstacle& wall, const SegmentIndex& edges) {
+bool leans_wrongly(const PlainObstacle& wall, std::span<const Point> chain,
+                   const SegmentIndex& edges) {
   WallLean lean(edges);
-  for_each_segment(wall, [&](Point a, Point b) { lean.add(a, b); });
+  for_each_segment(wall, chain, [&](Point a, Point b) { lean.add(a, b); });
   return lean.is_wrong();
 }
 
 void reverse(Obstacle& wall) {
   std::reverse(wall.segments.begin(), wall.segments.end());
   for (auto& segment : wall.segments) std::swap(segment.a, segment.b);
-}
-
-// A chain that ends where it began still begins at its first point.
-void reverse(PlainObstacle& wall) {
-  const auto chain = wall.chain();
-  std::reverse(chain.begin() + (wall.joined ? 1 : 0), chain.end());
 }
 
 void say_turned(std::size_t account, Ledger& ledger) {
@@ -146,9 +145,11 @@ void turn_leaning_walls(Workspace& workspace) {
     reverse(draft.obstacle);
     for (const std::size_t account : draft.features) say_turned(account, workspace.ledger);
   }
+  std::vector<Point> room;
   for (auto& plain : workspace.plain.all()) {
-    if (!is_wall(plain) || !leans_wrongly(plain, edges)) continue;
-    reverse(plain);
+    if (!is_wall(plain)) continue;
+    if (!leans_wrongly(plain, workspace.plain.chain(plain, room), edges)) continue;
+    PlainObstacles::reverse(plain);
     say_turned(plain.account, workspace.ledger);
   }
 }

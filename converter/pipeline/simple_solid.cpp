@@ -7,30 +7,39 @@
 namespace mapwright::converter {
 namespace {
 
+// A ring in metres and in units of the resolution.
+struct RoundedRing {
+  std::span<const Point> points;
+  std::span<GridPoint> grid_points;
+};
+
 // The rounded ring of a path that says its first point again at its end and no other point twice
 // in a row; empty for others. `room` holds as many points as the path.
-std::span<Point> ring_of(const SourceGeometry& geometry, const SourcePath& path,
-                         const text::DecimalFormat& resolution, Point* room) {
+RoundedRing ring_of(const SourceGeometry& geometry, const SourcePath& path, GridPoint* room,
+                    Workspace& workspace) {
   constexpr std::size_t kLeastPoints = 4;
   if (path.count < kLeastPoints) return {};
+  workspace.ring.resize(path.count);
+  Point* const points = workspace.ring.data();
+  bool repeats = false;
   for (std::size_t i = 0; i < path.count; ++i) {
-    room[i] = {geometry.xs[path.first + i], geometry.ys[path.first + i]};
-    if (i > 0 && room[i] == room[i - 1]) return {};
+    points[i] = {geometry.xs[path.first + i], geometry.ys[path.first + i]};
+    repeats = repeats || (i > 0 && points[i] == points[i - 1]);
   }
   static_assert(sizeof(Point) == 2 * sizeof(double));
-  resolution.round({&room[0].x, 2 * path.count});
-  const std::span<Point> all(room, path.count);
+  if (repeats || !workspace.resolution.round({&points->x, 2 * path.count}, &room->x)) return {};
+  const std::span<GridPoint> all(room, path.count);
   if (!(all.front() == all.back())) return {};
-  const auto ring = all.first(path.count - 1);
   // Points that fall together when rounded are no matter of words, but rare.
-  return std::adjacent_find(all.begin(), all.end()) == all.end() ? ring : std::span<Point>();
+  if (std::adjacent_find(all.begin(), all.end()) != all.end()) return {};
+  return {{points, path.count - 1}, all.first(path.count - 1)};
 }
 
-bool orient(std::span<Point> ring, RingOrientation wanted) {
-  const auto found = ring_orientation(ring);
+// The first vertex stays the first.
+bool orient(const RoundedRing& ring, RingOrientation wanted) {
+  const auto found = ring_orientation(ring.points);
   if (found == RingOrientation::kDegenerate) return false;
-  // The first vertex stays the first.
-  if (found != wanted) std::reverse(ring.begin() + 1, ring.end());
+  if (found != wanted) std::reverse(ring.grid_points.begin() + 1, ring.grid_points.end());
   return true;
 }
 
@@ -41,18 +50,18 @@ bool add_simple_solid(const FeatureTask& task, Workspace& workspace) {
   if (!task.is_plain || !workspace.repair || geometry.paths.size() != 1) return false;
   const auto& path = geometry.paths.front();
   if (path.role != PathRole::kOuterRing) return false;
-  Point* const room = workspace.plain.room_for(path.count);
-  const auto ring = ring_of(geometry, path, workspace.resolution, room);
+  GridPoint* const room = workspace.plain.room_for(path.count);
+  const auto ring = ring_of(geometry, path, room, workspace);
   const bool is_room = task.meaning.rule->kind == FeatureKind::kRoom;
   const auto wanted = is_room ? RingOrientation::kClockwise : RingOrientation::kCounterClockwise;
-  if (ring.empty() || !is_simple_ring(ring) || !orient(ring, wanted)) {
+  if (ring.points.empty() || !is_simple_ring(ring.points) || !orient(ring, wanted)) {
     workspace.plain.give_back(path.count);
     return false;
   }
-  workspace.plain.give_back(path.count - ring.size());
+  workspace.plain.give_back(path.count - ring.points.size());
   PlainObstacle plain;
-  plain.points = ring.data();
-  plain.count = static_cast<std::uint32_t>(ring.size());
+  plain.grid_points = ring.grid_points.data();
+  plain.count = static_cast<std::uint32_t>(ring.points.size());
   plain.shape_type = path.curved ? ShapeType::kClosedCurve : ShapeType::kClosedPolygon;
   plain.joined = true;
   finish_plain(task, plain, height_of(task, workspace), workspace);

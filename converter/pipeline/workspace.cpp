@@ -1,6 +1,5 @@
 #include "converter/pipeline/workspace.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <iterator>
 
@@ -52,9 +51,7 @@ void finish_plain(const FeatureTask& task, PlainObstacle plain, double height_m,
 void add_plain(const FeatureTask& task, const PlainShape& shape, double height_m,
                Workspace& workspace) {
   PlainObstacle plain;
-  plain.count = static_cast<std::uint32_t>(shape.points.size());
-  plain.points = workspace.plain.room_for(shape.points.size());
-  std::copy(shape.points.begin(), shape.points.end(), plain.points);
+  workspace.plain.set_points(plain, shape.points);
   plain.shape_type = shape.type;
   plain.joined = shape.joined;
   plain.is_inner = shape.is_inner;

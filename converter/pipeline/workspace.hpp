@@ -18,7 +18,7 @@ namespace mapwright::converter {
 
 struct Workspace {
   Workspace(const RuleSettings& rule_settings, double resolution_m)
-      : settings(rule_settings), resolution(resolution_m) {}
+      : settings(rule_settings), resolution(resolution_m), plain(resolution_m) {}
 
   Point snapped(Point p) const { return {resolution.rounded(p.x), resolution.rounded(p.y)}; }
   Snap snap() const {
@@ -29,7 +29,8 @@ struct Workspace {
   text::DecimalFormat resolution;
   bool repair = true;
   std::vector<Draft> drafts;
-  PlainObstacles plain;  ///< solids, rooms and walls that nothing has to be done about any more
+  std::vector<Point> ring;  ///< used again from feature to feature
+  PlainObstacles plain;     ///< solids, rooms and walls that nothing has to be done about any more
   Ledger ledger;
   Box border = kEmptyBox;                 ///< drawn by features of kind border
   std::optional<Border> exported_border;  ///< as `export` wrote it; counts before the drawn one

@@ -6,6 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
+
+#include "mapcore/text/digits.hpp"
 
 namespace mapwright::text {
 namespace {
@@ -13,6 +16,7 @@ namespace {
 constexpr int kSignificantDigits = 9;
 constexpr double kMostMultiples = 0x1p50;
 constexpr double kMostUnits = 9.0e18;
+constexpr double kMostSmallUnits = std::numeric_limits<std::int32_t>::max();
 
 std::uint64_t power_of_ten(int exponent) {
   std::uint64_t power = 1;
@@ -26,30 +30,6 @@ double nearest_whole(double value) {
   constexpr double kNoFraction = 0x1.8p52;
   return (value + kNoFraction) - kNoFraction;
 }
-
-/// The numbers 0 to 999 as text, in one table: three digits each, how many remain without leading
-/// zeros, and how many characters they are as thousandths, with the point and without trailing
-/// zeros.
-struct ThreeDigits {
-  char digits[3];
-  std::uint8_t without_leading_zeros;
-  std::uint8_t as_fraction;
-};
-
-constexpr auto three_digits_table() {
-  std::array<ThreeDigits, 1000> table{};
-  for (int i = 0; i < 1000; ++i) {
-    auto& entry = table[static_cast<std::size_t>(i)];
-    entry.digits[0] = static_cast<char>('0' + i / 100);
-    entry.digits[1] = static_cast<char>('0' + i / 10 % 10);
-    entry.digits[2] = static_cast<char>('0' + i % 10);
-    entry.without_leading_zeros = i >= 100 ? 3 : i >= 10 ? 2 : 1;
-    entry.as_fraction = i == 0 ? 0 : i % 100 == 0 ? 2 : i % 10 == 0 ? 3 : 4;
-  }
-  return table;
-}
-
-constexpr auto kThreeDigits = three_digits_table();
 
 char* write_three_digits(char* out, std::uint64_t number) {
   std::memcpy(out, kThreeDigits[number].digits, 3);
@@ -80,36 +60,6 @@ char* write_fraction(char* out, std::uint64_t fraction, int decimals) {
   char* last = end;
   while (last[-1] == '0') --last;
   return last;
-}
-
-// Behind the whole part; may write four characters where fewer count.
-char* write_thousandths(char* out, std::uint64_t fraction) {
-  const auto& entry = kThreeDigits[fraction];
-  *out = '.';
-  std::memcpy(out + 1, entry.digits, 3);
-  return out + entry.as_fraction;
-}
-
-constexpr std::uint64_t kEightDigits = 100'000'000;
-
-// The digits of a number below 10^8 in a byte each, the first one lowest: fours, then twos, then
-// ones, all lanes at a time.
-std::uint64_t eight_digits(std::uint64_t number) {
-  const std::uint64_t fours = number / 10000 | number % 10000 << 32U;
-  const std::uint64_t hundreds = (fours * 10486U >> 20U) & 0x0000007F0000007FU;
-  const std::uint64_t twos = hundreds | (fours - hundreds * 100U) << 16U;
-  const std::uint64_t tens = (twos * 103U >> 10U) & 0x000F000F000F000FU;
-  return tens | (twos - tens * 10U) << 8U;
-}
-
-// Without a branch: how many digits a coordinate has, nobody can foresee.
-char* write_below_eight_digits(char* out, std::uint64_t number) {
-  constexpr std::uint64_t kLastDigit = std::uint64_t{1} << 56U;
-  const std::uint64_t digits = eight_digits(number);
-  const auto zeros = static_cast<unsigned>(std::countr_zero(digits | kLastDigit)) / 8U;
-  const std::uint64_t text = (digits | 0x3030303030303030U) >> 8U * zeros;
-  std::memcpy(out, &text, sizeof text);
-  return out + 8 - zeros;
 }
 
 }  // namespace
@@ -186,6 +136,34 @@ void DecimalFormat::round(std::span<double> values) const {
   }
   // −0 becomes 0.
   for (double& value : values) value = (nearest_whole(value * scale_) + 0.0) / scale_;
+}
+
+bool DecimalFormat::units_of(std::span<const double> values, std::int32_t* units) const {
+  bool fit = true;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double whole = nearest_whole(values[i] * scale_);
+    const bool fits = std::abs(whole) <= kMostSmallUnits;
+    units[i] = static_cast<std::int32_t>(fits ? whole : 0.0);
+    fit = fit & fits & (of_units(units[i]) == values[i]) & (units[i] % step_ == 0);
+  }
+  return fit;
+}
+
+bool DecimalFormat::round(std::span<double> values, std::int32_t* units) const {
+  bool is_simple = step_ == 1;
+  for (const double value : values) {
+    is_simple = is_simple & (std::abs(value * scale_) < kMostSmallUnits);
+  }
+  if (!is_simple) {
+    round(values);
+    return units_of(values, units);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double whole = nearest_whole(values[i] * scale_) + 0.0;  // −0 becomes 0
+    units[i] = static_cast<std::int32_t>(whole);
+    values[i] = whole / scale_;
+  }
+  return true;
 }
 
 }  // namespace mapwright::text

@@ -29,6 +29,21 @@ class DecimalFormat {
   /// The same for many values, in place.
   void round(std::span<double> values) const;
 
+  /// Writes the number of so many units of the last decimal; 12 characters at most are written.
+  char* write_units(char* out, std::int32_t units) const {
+    return write_units(out, std::int64_t{units});
+  }
+  /// The double that reading the written number gives.
+  double of_units(std::int32_t units) const { return static_cast<double>(units) / scale_; }
+  /// The units of numbers that are rounded already. False, with `units` half filled, where one is
+  /// not, or where that many are no std::int32_t.
+  bool units_of(std::span<const double> values, std::int32_t* units) const;
+  /// `round` and `units_of` at once. False, with `units` half filled, where that many are no
+  /// std::int32_t; the values are rounded all the same.
+  bool round(std::span<double> values, std::int32_t* units) const;
+
+  int decimals() const { return decimals_; }
+
  private:
   struct Multiple {
     bool fits = false;

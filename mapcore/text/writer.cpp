@@ -10,11 +10,13 @@
 
 #include "mapcore/text/characters.hpp"
 #include "mapcore/text/decimal_format.hpp"
+#include "mapcore/text/point_texts.hpp"
 
 namespace mapwright {
 namespace {
 
 using text::DecimalFormat;
+using text::PointTexts;
 
 [[maybe_unused]] bool is_writable(std::string_view semantic) {
   return semantic.find_first_of(";#\n\r") == semantic.npos;
@@ -59,6 +61,11 @@ char* put(char* at, char c) {
   return at + 1;
 }
 
+char* put(char* at, std::string_view text) {
+  std::memcpy(at, text.data(), text.size());
+  return at + text.size();
+}
+
 }  // namespace
 
 struct MapWriter::Impl {
@@ -75,18 +82,22 @@ struct MapWriter::Impl {
   void semantic_and_end(std::string_view semantic) {
     assert(is_writable(semantic));
     block.text(text::trimmed(semantic));
-    block.text(";\n#\n");
+    block.text(kEnd);
   }
 
   void header(std::int64_t id, ShapeType type, std::size_t segments, std::string_view semantic) {
-    block.text("obstacle;\n");
-    char* at = block.room_for(kHeaderBytes);
+    char* at = put(block.room_for(kHeaderBytes), "obstacle;\n");
     for (const std::int64_t number :
          {id, static_cast<std::int64_t>(type), static_cast<std::int64_t>(segments)}) {
       at = put(std::to_chars(at, at + kIntegerBytes, number).ptr, ';');
     }
-    block.advance_to(at);
-    semantic_and_end(semantic);
+    const auto labels = text::trimmed(semantic);
+    if (labels.size() > kShortLabels) {
+      block.advance_to(at);
+      return semantic_and_end(labels);
+    }
+    assert(is_writable(labels));
+    block.advance_to(put(put(at, labels), kEnd));
   }
 
   void segment(const Segment& segment) {
@@ -100,22 +111,45 @@ struct MapWriter::Impl {
 
   // Each point is made text once and stands in two segments.
   void chain(const ChainRecord& chain) {
-    const std::size_t last = chain.points.size() - 1;
+    const bool on_grid = !chain.grid_points.empty();
+    const std::size_t last = (on_grid ? chain.grid_points.size() : chain.points.size()) - 1;
     header(chain.id, chain.shape_type, chain.joined ? last + 1 : last, chain.semantic);
     set_tail(chain);
-    set_text(first, chain.points[0]);
+    on_grid ? link_all(chain.grid_points, chain.joined) : link_all(chain.points, chain.joined);
+  }
+
+  void link_all(std::span<const Point> points, bool joined) {
+    set_text(first, points[0]);
     const PointText* here = &first;
-    for (std::size_t i = 1; i <= last; ++i) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
       PointText& next = others[i % 2];
-      set_text(next, chain.points[i]);
+      set_text(next, points[i]);
       link(*here, next);
       here = &next;
     }
-    if (chain.joined) link(*here, first);
+    if (joined) link(*here, first);
+  }
+
+  void link_all(std::span<const GridPoint> points, bool joined) {
+    if (points.size() > PointTexts::kMost) return link_pieces(points, joined);
+    texts.set(points, numbers);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) link(i, i + 1);
+    if (joined) link(points.size() - 1, 0);
+  }
+
+  void link_pieces(std::span<const GridPoint> points, bool joined) {
+    for (std::size_t i = 0; i + 1 < points.size(); i += PointTexts::kMost - 1) {
+      link_all(points.subspan(i, std::min(PointTexts::kMost, points.size() - i)), false);
+    }
+    if (!joined) return;
+    const std::array<GridPoint, 2> ends{points.back(), points.front()};
+    link_all(ends, false);
   }
 
   static constexpr std::size_t kIntegerBytes = 20;
-  static constexpr std::size_t kHeaderBytes = 3 * (kIntegerBytes + 1);
+  static constexpr std::string_view kEnd = ";\n#\n";
+  static constexpr std::size_t kShortLabels = 1024;
+  static constexpr std::size_t kHeaderBytes = 3 * (kIntegerBytes + 1) + kShortLabels + 16;
   static constexpr std::size_t kPointBytes = 2 * (DecimalFormat::kMaxCharacters + 2);
 
   struct PointText {
@@ -136,14 +170,21 @@ struct MapWriter::Impl {
     text.size = static_cast<std::size_t>(put_point(text.bytes.data(), p) - text.bytes.data());
   }
 
-  // All of a segment behind its ends.
+  // All of a segment behind its ends: often that of the chain before.
   void set_tail(const ChainRecord& chain) {
     assert(is_writable(chain.segment_semantic));
+    if (!long_tail.empty() && chain.height_m == tail_height_m && chain.in_out == tail_in_out &&
+        chain.segment_semantic == tail_semantic) {
+      return;
+    }
+    tail_height_m = chain.height_m;
+    tail_in_out = chain.in_out;
+    tail_semantic = chain.segment_semantic;
     std::array<char, DecimalFormat::kMaxCharacters> height;
     long_tail.assign(height.data(), numbers.write(height.data(), chain.height_m));
     long_tail += chain.in_out == InOut::kIndoor ? ";0;" : ";1;";
     long_tail += text::trimmed(chain.segment_semantic);
-    long_tail += ";\n#\n";
+    long_tail += kEnd;
     tail.size = long_tail.size() <= kPointBytes ? long_tail.size() : 0;
     std::copy_n(long_tail.data(), tail.size, tail.bytes.data());
   }
@@ -157,12 +198,25 @@ struct MapWriter::Impl {
     if (tail.size == 0) block.text(long_tail);
   }
 
+  void link(std::size_t a, std::size_t b) {
+    char* at = block.room_for(2 * PointTexts::kBytes + kPointBytes);
+    texts.append(a, at);
+    texts.append(b, at);
+    tail.append_to(at);
+    block.advance_to(at);
+    if (tail.size == 0) block.text(long_tail);
+  }
+
   Block block;
   DecimalFormat numbers;
+  PointTexts texts;
   PointText first;
   std::array<PointText, 2> others;
   PointText tail;         // empty where it is a long one
-  std::string long_tail;  // the same, of any length
+  std::string long_tail;  // the same, of any length; empty: none yet
+  double tail_height_m = 0.0;
+  InOut tail_in_out = InOut::kOutdoor;
+  std::string tail_semantic;
 };
 
 MapWriter::MapWriter(std::ostream& out, WriteOptions options)

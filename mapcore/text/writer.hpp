@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "mapcore/grid_point.hpp"
 #include "mapcore/map.hpp"
 #include "mapcore/tolerances.hpp"
 
@@ -24,8 +25,9 @@ struct ChainRecord {
   std::int64_t id = 0;
   ShapeType shape_type = ShapeType::kClosedPolygon;
   std::string_view semantic;
-  std::span<const Point> points;  ///< at least two
-  bool joined = false;            ///< the last point goes on to the first
+  std::span<const Point> points;           ///< at least two, or
+  std::span<const GridPoint> grid_points;  ///< the same, at the resolution that is written
+  bool joined = false;                     ///< the last point goes on to the first
   double height_m = 0.0;
   InOut in_out = InOut::kOutdoor;
   std::string_view segment_semantic;

@@ -1,6 +1,7 @@
 // Compact stores: lists, arenas, and chains against the obstacles they stand for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "converter/store/long_list.hpp"
 #include "converter/store/small_list.hpp"
 #include "mapcore/random.hpp"
+#include "mapcore/text/decimal_format.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -71,15 +73,21 @@ TEST(Arena, HandsOutRoomThatNobodyElseHas) {
 TEST(ConvertedMap, WritesWhatItsObstaclesAre) {
   Random random(9);
   PlainObstacles plain;
+  const text::DecimalFormat millimetres(0.001);
+  int on_grid = 0;
   const std::string texts[] = {"building", "wall,name=Plaça", ""};
   for (int i = 0; i < 2000; ++i) {
     PlainObstacle chain;
-    chain.count = static_cast<std::uint32_t>(2 + random.below(6));
-    chain.points = plain.room_for(chain.count);
-    for (Point& p : chain.chain()) {
+    std::vector<Point> points(i % 100 == 0 ? 60 + random.below(200) : 2 + random.below(6));
+    for (Point& p : points) {
       const double reach = i % 7 == 0 ? 1e14 : 3000.0;
       p = {random.uniform(-reach, reach), random.uniform(-reach, reach)};
+      if (i % 3 > 0) p = {millimetres.rounded(p.x), millimetres.rounded(p.y)};
     }
+    plain.set_points(chain, points);
+    on_grid += chain.on_grid ? 1 : 0;
+    std::vector<Point> room;
+    ASSERT_TRUE(std::ranges::equal(plain.chain(chain, room), points));
     chain.joined = chain.count > 2 && random.below(2) == 0;
     chain.is_inner = i > 0 && chain.joined && random.below(4) == 0;
     chain.shape_type = chain.joined ? ShapeType::kClosedPolygon : ShapeType::kOpenPolygon;
@@ -89,11 +97,14 @@ TEST(ConvertedMap, WritesWhatItsObstaclesAre) {
               random.below(2) == 0 ? InOut::kIndoor : InOut::kOutdoor, texts[random.below(3)]);
   }
   const std::size_t count = plain.all().size();
+  EXPECT_GT(on_grid, 500);
+  EXPECT_LT(on_grid, 1500);
   ConvertedMap map(std::move(plain), {}, {{true, 0, count}});
   map.border = {-1, 1, 1, -1};
   const Map whole = map.whole();
   EXPECT_EQ(whole.obstacles.size(), count);
   EXPECT_EQ(map.segment_count(), segment_count(whole));
+  EXPECT_EQ(map.extent().min_y, extent(whole).min_y);
   EXPECT_EQ(map.extent().max_x, extent(whole).max_x);
   for (const double resolution : {0.001, 0.01, 1e-6}) {
     std::ostringstream text;

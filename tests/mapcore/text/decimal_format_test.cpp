@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -122,6 +123,51 @@ TEST(DecimalFormat, RoundsManyAsItRoundsOne) {
       }
     }
   }
+}
+
+// As it rounds them without, and each number of units is the number.
+TEST(DecimalFormat, RoundsToUnits) {
+  Random random(42);
+  const std::pair<double, double> steps[] = {{1e-9, 1},  {1e-6, 1}, {0.001, 1},
+                                             {0.005, 5}, {1.0, 1},  {1000.0, 1000}};
+  for (const auto& [resolution, units_of_step] : steps) {
+    const DecimalFormat format(resolution);
+    for (const double multiples : {3.0, 1e5, 1e7, 1e10}) {
+      std::vector<double> values{0.0, -0.0, -0.4 * resolution, 0.5 * resolution};
+      for (int i = 0; i < 500; ++i) {
+        values.push_back(random.uniform(-multiples, multiples) * resolution);
+      }
+      auto expected = values;
+      format.round(expected);
+      std::vector<std::int32_t> units(values.size()), again(values.size());
+      const bool fit = format.round(values, units.data());
+      ASSERT_EQ(values, expected);
+      ASSERT_EQ(fit, format.units_of(values, again.data()));
+      ASSERT_EQ(fit, multiples * units_of_step < 1e9) << resolution << ' ' << multiples;
+      for (std::size_t i = 0; fit && i < values.size(); ++i) {
+        ASSERT_EQ(again[i], units[i]);
+        ASSERT_EQ(format.of_units(units[i]), values[i]);
+        char buffer[DecimalFormat::kMaxCharacters];
+        ASSERT_EQ(std::string(buffer, format.write_units(buffer, units[i])),
+                  formatted(format, values[i]));
+      }
+    }
+  }
+}
+
+TEST(DecimalFormat, KnowsWhatIsNoMultiple) {
+  std::array<std::int32_t, 1> units{};
+  const auto are_units = [&](double resolution, double value) {
+    return DecimalFormat(resolution).units_of({&value, 1}, units.data());
+  };
+  EXPECT_TRUE(are_units(0.005, 0.015));
+  EXPECT_EQ(units[0], 15);
+  EXPECT_FALSE(are_units(0.005, 0.001));
+  EXPECT_FALSE(are_units(0.001, 0.0015));
+  EXPECT_TRUE(are_units(0.001, -2147483.647));
+  EXPECT_FALSE(are_units(0.001, 2147483.648));
+  EXPECT_FALSE(are_units(0.001, 1e300));
+  EXPECT_FALSE(are_units(0.001, std::nan("")));
 }
 
 }  // namespace
