@@ -1,5 +1,7 @@
 #include "converter/gdal/open_dataset.hpp"
 
+#include <cpl_conv.h>
+
 #include <filesystem>
 
 #include "converter/gdal/csv_reader.hpp"
@@ -39,6 +41,25 @@ constexpr const char* kOpenOptions[] = {"NOLOCK=YES",
                                         "DATE_AS_STRING=YES",
                                         nullptr};
 
+// SQLite reads databases out of memory that the system maps, without copying page after page: a
+// tenth of the time of reading a GeoPackage. Should the file be cut short meanwhile, the process
+// that reads it ends, which is told as any crash of a driver is. What the person who converts has
+// set counts.
+class MappedDatabases {
+ public:
+  MappedDatabases() {
+    if (CPLGetConfigOption(kOption, nullptr) == nullptr) {
+      CPLSetThreadLocalConfigOption(kOption, "mmap_size=2147418112");  // SQLite's most
+    }
+  }
+  MappedDatabases(const MappedDatabases&) = delete;
+  MappedDatabases& operator=(const MappedDatabases&) = delete;
+  ~MappedDatabases() { CPLSetThreadLocalConfigOption(kOption, nullptr); }
+
+ private:
+  static constexpr const char* kOption = "OGR_SQLITE_PRAGMA";
+};
+
 // The GML driver opens documents that it could not read, and says so in passing.
 bool is_unread(const std::string& message) {
   return message.find("XML parsing of GML file failed") != message.npos;
@@ -75,6 +96,7 @@ Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& n
   const auto drivers = null_terminated(input.drivers);
   auto* candidate = GDALIdentifyDriverEx(readable.c_str(), GDAL_OF_VECTOR, drivers.data(), nullptr);
   if (candidate != nullptr) notice(GDALGetDriverShortName(candidate));
+  const MappedDatabases mapped;
   opened.dataset.reset(GDALDataset::Open(readable.c_str(),
                                          GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                          drivers.data(), kOpenOptions, nullptr));
