@@ -70,6 +70,16 @@ std::array<Coefficient, kCoefficients> kept(const Grid& x, const Grid& y, double
   return all;
 }
 
+// Chebyshev's polynomials stay within 1; what rounding adds is less than their sum once more.
+double reach_of(const std::array<Coefficient, kCoefficients>& coefficients) {
+  double x = 0.0, y = 0.0;
+  for (const auto& c : coefficients) {
+    x += std::abs(c.x);
+    y += std::abs(c.y);
+  }
+  return 2.0 * std::max(x, y);
+}
+
 }  // namespace
 
 struct TransformPatches::Patch {
@@ -77,6 +87,7 @@ struct TransformPatches::Patch {
   double inverse_half = 1.0;
   std::array<Coefficient, kCoefficients> coefficients;
   double left_out = 0.0;
+  double reach = 0.0;  // no image of the cell lies farther from either axis
 
   // In place. Several points at a time, each by the same operations in the same order: one alone
   // waits for the end of every addition.
@@ -185,6 +196,13 @@ void TransformPatches::apply(std::span<double> xs, std::span<double> ys) {
   }
 }
 
+bool TransformPatches::apply_in_last_cell(std::span<double> xs, std::span<double> ys,
+                                          double reach) const {
+  if (count_in_last_cell(xs, ys, 0) != xs.size() || !(last_->reach <= reach)) return false;
+  last_->apply(xs.data(), ys.data(), xs.size());
+  return true;
+}
+
 const TransformPatches::Patch* TransformPatches::patch_of(const CellKey& key) {
   if (has_last_ && key == last_key_) return last_;
   auto found = cells_.find(key);
@@ -211,6 +229,7 @@ std::unique_ptr<TransformPatches::Patch> TransformPatches::fit(const CellKey& ke
   }
   exact_(xs, ys);
   patch->coefficients = kept(coefficients(xs), coefficients(ys), patch->left_out);
+  patch->reach = reach_of(patch->coefficients);
   return holds(*patch) ? std::move(patch) : nullptr;
 }
 

@@ -39,6 +39,10 @@ class TransformPatches {
   /// In place; NaN where the exact transformation has no way.
   void apply(std::span<double> xs, std::span<double> ys);
 
+  /// The same where all points lie in the cell of the last one and their images, whatever they
+  /// are, no farther than `reach` from either axis. Else false, and nothing is done.
+  bool apply_in_last_cell(std::span<double> xs, std::span<double> ys, double reach) const;
+
   std::size_t patches() const { return patches_; }  ///< cells with a polynomial
   std::size_t refused() const { return refused_; }  ///< cells whose polynomial did not hold
 

@@ -52,6 +52,23 @@ std::string with_metres(const char* format, double a, double b) {
   return buffer;
 }
 
+// How many points there are to be placed: a ring's last point is its first once more, and costs as
+// much.
+std::size_t points_to_place(const SourceGeometry& geometry) {
+  const auto& xs = geometry.xs;
+  const auto& ys = geometry.ys;
+  const bool is_ring = geometry.paths.size() == 1 && xs.size() > 1 && xs.front() == xs.back() &&
+                       ys.front() == ys.back();
+  return is_ring ? xs.size() - 1 : xs.size();
+}
+
+// Takes the point that was left out there too.
+void close_ring(SourceGeometry& geometry, std::size_t placed) {
+  if (placed == geometry.xs.size()) return;
+  geometry.xs.back() = geometry.xs.front();
+  geometry.ys.back() = geometry.ys.front();
+}
+
 bool is_directional(FeatureKind kind) {
   return kind == FeatureKind::kRamp || kind == FeatureKind::kStairs;
 }
@@ -233,23 +250,32 @@ void LayerConverter::place_exactly(std::span<double> xs, std::span<double> ys) {
   options_.resolution_m < kFine_m ? transform_.apply_exactly(xs, ys) : transform_.apply(xs, ys);
 }
 
-// A ring's last point is its first once more, and costs as much.
 void LayerConverter::place(SourceGeometry& geometry) {
-  auto& xs = geometry.xs;
-  auto& ys = geometry.ys;
-  const bool is_ring = geometry.paths.size() == 1 && xs.size() > 1 && xs.front() == xs.back() &&
-                       ys.front() == ys.back();
-  const std::size_t count = is_ring ? xs.size() - 1 : xs.size();
-  transform_.apply(std::span(xs).first(count), std::span(ys).first(count));
-  if (!is_ring) return;
-  xs.back() = xs.front();
-  ys.back() = ys.front();
+  const std::size_t count = points_to_place(geometry);
+  transform_.apply(std::span(geometry.xs).first(count), std::span(geometry.ys).first(count));
+  close_ring(geometry, count);
+}
+
+// What most features need: their coordinates are sound because they lie beside those before.
+bool LayerConverter::places_nearby(SourceGeometry& geometry) {
+  const auto kind = meaning_.rule->kind;
+  if (options_.swap_axes || job_.crs.geographic || geometry.xs.empty()) return false;
+  if (kind == FeatureKind::kObstacle || is_directional(kind)) return false;
+  const std::size_t count = points_to_place(geometry);
+  if (!transform_.apply_nearby(std::span(geometry.xs).first(count),
+                               std::span(geometry.ys).first(count),
+                               tolerance::kAbsurdCoordinate_m)) {
+    return false;
+  }
+  close_ring(geometry, count);
+  return true;
 }
 
 // Takes the geometry into the map frame.
 bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   auto& geometry = feature.geometry;
   auto& ledger = workspace_.ledger;
+  if (places_nearby(geometry)) return true;
   if (!all_finite(geometry)) {
     ledger.drop(account, FindingCode::C205, "a coordinate is infinite or not a number");
     return false;

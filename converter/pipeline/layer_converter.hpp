@@ -32,6 +32,7 @@ class LayerConverter {
   bool interprets(const SourceFeature& feature, std::size_t account);
   void place_exactly(std::span<double> xs, std::span<double> ys);
   void place(SourceGeometry& geometry);
+  bool places_nearby(SourceGeometry& geometry);
   bool places(SourceFeature& feature, std::size_t account);
   bool keeps(const SourceFeature& feature, std::size_t account);
   void tell_about_values(const SourceFeature& feature, std::size_t account);

@@ -30,6 +30,10 @@ void MapTransform::apply(std::span<double> xs, std::span<double> ys) {
   for (double& y : ys) y *= local_unit_m_;
 }
 
+bool MapTransform::apply_nearby(std::span<double> xs, std::span<double> ys, double reach) const {
+  return patches_ && patches_->apply_in_last_cell(xs, ys, reach);
+}
+
 void MapTransform::apply_exactly(std::span<double> xs, std::span<double> ys) const {
   if (route_) route_->apply(xs, ys);
 }

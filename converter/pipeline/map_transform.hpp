@@ -24,6 +24,10 @@ class MapTransform {
   /// TransformPatches::kBound_m of apply_exactly.
   void apply(std::span<double> xs, std::span<double> ys);
 
+  /// The same for points near those before, whose images are sure to lie no farther than `reach`
+  /// from either axis: numbers that need no look before or after. Else false, and nothing is done.
+  bool apply_nearby(std::span<double> xs, std::span<double> ys, double reach) const;
+
   /// The same by PROJ and GeographicLib, point by point.
   void apply_exactly(std::span<double> xs, std::span<double> ys) const;
 

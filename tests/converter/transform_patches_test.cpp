@@ -135,5 +135,30 @@ TEST(TransformPatches, TakesPointsTogetherAsItTakesThemOneByOne) {
   EXPECT_EQ(ys, one_ys);
 }
 
+TEST(TransformPatches, TakesPointsNearbyAsItTakesAll) {
+  TransformPatches patches(bend, 128.0);
+  std::vector<double> first_x{5.0}, first_y{5.0};
+  EXPECT_FALSE(patches.apply_in_last_cell(first_x, first_y, 1e6)) << "there is no last cell";
+  patches.apply(first_x, first_y);
+  const std::vector<double> xs{1.0, 127.9, 64.0, 0.0, 3.0}, ys{2.0, 0.0, 127.0, 0.0, 9.0};
+  auto nearby_xs = xs, nearby_ys = ys, all_xs = xs, all_ys = ys;
+  EXPECT_TRUE(patches.apply_in_last_cell(nearby_xs, nearby_ys, 1e6));
+  patches.apply(all_xs, all_ys);
+  EXPECT_EQ(nearby_xs, all_xs);
+  EXPECT_EQ(nearby_ys, all_ys);
+  for (const double stranger : {128.0, -0.1, std::numeric_limits<double>::quiet_NaN(),
+                                std::numeric_limits<double>::infinity()}) {
+    std::vector<double> some_xs{1.0, stranger}, some_ys{1.0, 1.0};
+    EXPECT_FALSE(patches.apply_in_last_cell(some_xs, some_ys, 1e6));
+    EXPECT_EQ(some_xs[0], 1.0);
+  }
+  double farthest = 0.0;
+  for (const double x : all_xs) farthest = std::max(farthest, std::abs(x));
+  for (const double y : all_ys) farthest = std::max(farthest, std::abs(y));
+  auto far_xs = xs, far_ys = ys;
+  EXPECT_FALSE(patches.apply_in_last_cell(far_xs, far_ys, 0.9 * farthest));
+  EXPECT_EQ(far_xs, xs);
+}
+
 }  // namespace
 }  // namespace mapwright::converter
