@@ -22,7 +22,8 @@ std::size_t report_reasons(
     const Ledger& ledger, Console& console,
     const std::function<bool(const LedgerFeature&, const LedgerReason&)>& which) {
   std::size_t count = 0;
-  for (const auto& feature : ledger.features) {
+  for (const auto position : ledger.explained()) {
+    const auto& feature = ledger.features[position];
     for (const auto& reason : feature.reasons) {
       if (!which(feature, reason) || ++count > kMostLines) continue;
       console.error(place(ledger, feature) + ": " + reason.message + " [" +
@@ -38,7 +39,8 @@ std::size_t report_reasons(
 // "; C208 ignored_by_rule 255, C210 overhead 124"
 std::string reasons_of(const Ledger& ledger, Outcome outcome) {
   std::map<FindingCode, std::size_t> counts;
-  for (const auto& feature : ledger.features) {
+  for (const auto position : ledger.explained()) {
+    const auto& feature = ledger.features[position];
     if (feature.outcome != outcome) continue;
     for (const auto& reason : feature.reasons) ++counts[reason.code];
   }

@@ -125,8 +125,8 @@ class Convert : public Verb {
   }
 
   static bool has_losses(const converter::Ledger& ledger) {
-    for (const auto& feature : ledger.features) {
-      for (const auto& reason : feature.reasons) {
+    for (const auto position : ledger.explained()) {
+      for (const auto& reason : ledger.features[position].reasons) {
         if (finding_type(reason.code).severity == Severity::kError) return true;
       }
     }

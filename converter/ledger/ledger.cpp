@@ -1,5 +1,6 @@
 #include "converter/ledger/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -28,13 +29,26 @@ std::size_t Ledger::open(std::size_t source, std::int64_t fid) {
   return features.size() - 1;
 }
 
+void Ledger::add_reason(std::size_t feature, LedgerReason reason) {
+  auto& reasons = features[feature].reasons;
+  if (reasons.empty()) explained_.push_back(static_cast<std::uint32_t>(feature));
+  reasons.push_back(std::move(reason));
+}
+
+std::vector<std::uint32_t> Ledger::explained() const {
+  auto positions = explained_;
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  return positions;
+}
+
 void Ledger::remark(std::size_t feature, FindingCode code, std::string message) {
-  features[feature].reasons.push_back({code, std::move(message), {}});
+  add_reason(feature, {code, std::move(message), {}});
 }
 
 void Ledger::change(std::size_t feature, FindingCode code, std::string message, Measures measures) {
   if (features[feature].outcome == Outcome::kWritten) features[feature].outcome = Outcome::kChanged;
-  features[feature].reasons.push_back({code, std::move(message), measures});
+  add_reason(feature, {code, std::move(message), measures});
 }
 
 void Ledger::drop(std::size_t feature, FindingCode code, std::string message) {

@@ -33,10 +33,10 @@ struct LedgerReason {
 };
 
 /// The account of a feature. Most are one obstacle and need no reason, and there are as many as the
-/// sources have features: these take 40 bytes and nothing besides.
+/// sources have features: these take 32 bytes and nothing besides.
 struct LedgerFeature {
   std::int64_t fid = 0;
-  OneOrMore<std::int64_t> obstacles;  ///< ids
+  OneOrMore obstacles;  ///< ids
   NoneOrMore<LedgerReason> reasons;
   std::uint32_t source = 0;  ///< position in Ledger::sources
   Outcome outcome = Outcome::kWritten;
@@ -70,6 +70,14 @@ class Ledger {
   void drop(std::size_t feature, FindingCode code, std::string message);
 
   LedgerTotals totals() const;
+
+  /// Positions of the features that have reasons, in order: nearly always a few of all.
+  std::vector<std::uint32_t> explained() const;
+
+ private:
+  void add_reason(std::size_t feature, LedgerReason reason);
+
+  std::vector<std::uint32_t> explained_;  // in no order, some more than once
 };
 
 /// True if every feature is accounted for once: the layers' counts, the outcomes and the accounts

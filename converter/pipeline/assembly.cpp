@@ -148,20 +148,24 @@ void number(Draft& draft, Ids& ids, Ledger& ledger) {
   }
 }
 
+// Plain obstacles tell the ledger at once: there are too many to come back to.
 void number_all(Workspace& workspace, const std::vector<std::size_t>& order,
                 const std::vector<ConvertedMap::Run>& merged) {
   Ids ids(workspace.drafts);
   for (const auto& run : merged) {
     for (std::size_t i = run.first; i < run.end; ++i) {
-      if (!run.plain)
+      if (!run.plain) {
         number(workspace.drafts[order[i]], ids, workspace.ledger);
-      else
-        workspace.plain.all()[i].id = ids.next();
+        continue;
+      }
+      auto& plain = workspace.plain.all()[i];
+      plain.id = ids.next();
+      workspace.ledger.features[plain.account].obstacles.push_back(plain.id);
     }
   }
 }
 
-// Tells holes and the ledger which ids were given.
+// Tells holes, and the ledger of drafts, which ids were given.
 void hand_out_ids(Workspace& workspace) {
   for (auto& draft : workspace.drafts) {
     if (draft.inner_of) {
@@ -171,9 +175,6 @@ void hand_out_ids(Workspace& workspace) {
     for (const std::size_t account : draft.features) {
       workspace.ledger.features[account].obstacles.push_back(draft.obstacle.id);
     }
-  }
-  for (const auto& plain : workspace.plain.all()) {
-    workspace.ledger.features[plain.account].obstacles.push_back(plain.id);
   }
 }
 

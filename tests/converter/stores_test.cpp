@@ -18,16 +18,41 @@ namespace {
 
 TEST(OneOrMore, HoldsAnyNumbers) {
   constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
-  for (const std::vector<std::int64_t>& numbers :
-       {std::vector<std::int64_t>{}, {0}, {kLeast}, {7, 3}, {kLeast, 5}, {5, kLeast, -1, 5}}) {
-    OneOrMore<std::int64_t> list;
+  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  for (const std::vector<std::int64_t>& numbers : {std::vector<std::int64_t>{},
+                                                   {0},
+                                                   {-1},
+                                                   {kLeast},
+                                                   {kMost},
+                                                   {kMost / 2},
+                                                   {kLeast / 2},
+                                                   {7, 3},
+                                                   {kLeast, 5},
+                                                   {5, kLeast, -1, 5},
+                                                   {0, 0, kMost}}) {
+    OneOrMore list;
     for (const auto number : numbers) list.push_back(number);
     EXPECT_EQ(list.size(), numbers.size());
     EXPECT_EQ(list.empty(), numbers.empty());
-    EXPECT_TRUE(std::equal(list.begin(), list.end(), numbers.begin(), numbers.end()));
-    list.sort();
-    EXPECT_TRUE(std::is_sorted(list.begin(), list.end()));
+    const auto told = [&] {
+      std::vector<std::int64_t> all;
+      for (const auto number : list) all.push_back(number);
+      return all;
+    };
+    EXPECT_EQ(told(), numbers);
+    const OneOrMore moved = std::exchange(list, {});
+    EXPECT_TRUE(list.empty());
+    EXPECT_EQ(moved.size(), numbers.size());
   }
+}
+
+TEST(OneOrMore, Sorts) {
+  OneOrMore list;
+  for (const int number : {3, -1, 2}) list.push_back(number);
+  list.sort();
+  EXPECT_EQ(list[0], -1);
+  EXPECT_EQ(list[1], 2);
+  EXPECT_EQ(list[2], 3);
 }
 
 TEST(NoneOrMore, ForgetsOnRequest) {
