@@ -103,6 +103,9 @@ std::optional<double> Field::number(const SourceFeature& feature) const {
 std::optional<double> Field::length_m(const SourceFeature& feature, double metres_per_unit) const {
   const auto* found = value(feature);
   if (found == nullptr) return std::nullopt;
+  if (const auto* whole = std::get_if<std::int64_t>(found)) {
+    return static_cast<double>(*whole) * metres_per_unit;
+  }
   if (std::holds_alternative<std::string>(*found)) {
     const auto content = text(feature);
     return content ? length_from_text(*content, metres_per_unit) : std::nullopt;

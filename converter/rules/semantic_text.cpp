@@ -18,10 +18,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
 }
 
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
 std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 bool is_reserved(char c) {
@@ -29,16 +33,18 @@ bool is_reserved(char c) {
 }
 
 // The map format's own characters give way to blanks; a value behind '=' must not end its token.
+// Nearly all values have none of them.
 void append_safely(std::string_view value, bool is_key_value, SemanticScratch& scratch,
                    bool& altered) {
-  auto& piece = scratch.piece;
-  piece = value;
-  for (char& c : piece) {
-    if (!is_reserved(c) && !(is_key_value && c == ',')) continue;
-    c = ' ';
-    altered = true;
+  const auto gives_way = [&](char c) { return is_reserved(c) || (is_key_value && c == ','); };
+  if (std::none_of(value.begin(), value.end(), gives_way)) {
+    scratch.token += trimmed(value);
+    return;
   }
-  scratch.token += trimmed(piece);
+  altered = true;
+  scratch.piece = value;
+  std::replace_if(scratch.piece.begin(), scratch.piece.end(), gives_way, ' ');
+  scratch.token += trimmed(scratch.piece);
 }
 
 // Whether one of the tokens of `text`, which end at `ends`, is `token`.
