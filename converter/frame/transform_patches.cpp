@@ -5,14 +5,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "converter/frame/patch_polynomial.hpp"
+
 namespace mapwright::converter {
 namespace {
 
-constexpr std::size_t kNodes = 5;          // a side; degrees 0 to 4
-constexpr std::size_t kProbes = 6;         // a side
-constexpr std::size_t kMostCells = 4096;   // beyond: points strewn over the Earth
-constexpr double kFarthestCell = 1.0e9;    // what a cell number can hold
-constexpr std::size_t kCoefficients = 15;  // m + n <= 4
+using Coefficient = PatchPolynomial::Coefficient;
+
+constexpr std::size_t kNodes = PatchPolynomial::kNodes;
+constexpr std::size_t kCoefficients = PatchPolynomial::kCoefficients;
+constexpr std::size_t kProbes = 6;        // a side
+constexpr std::size_t kMostCells = 4096;  // beyond: points strewn over the Earth
+constexpr double kFarthestCell = 1.0e9;   // what a cell number can hold
 
 using Polynomials = std::array<double, kNodes>;  // T0 to T4 at one place
 
@@ -51,10 +55,6 @@ Grid coefficients(std::span<const double> values) {
   return grid;
 }
 
-struct Coefficient {
-  double x = 0.0, y = 0.0;
-};
-
 // Keeps the coefficients of total degree 4; the sum of what is left out is added to `rest`.
 std::array<Coefficient, kCoefficients> kept(const Grid& x, const Grid& y, double& rest) {
   std::array<Coefficient, kCoefficients> all;
@@ -82,62 +82,9 @@ double reach_of(const std::array<Coefficient, kCoefficients>& coefficients) {
 
 }  // namespace
 
-struct TransformPatches::Patch {
-  Point center;
-  double inverse_half = 1.0;
-  std::array<Coefficient, kCoefficients> coefficients;
+struct TransformPatches::Patch : PatchPolynomial {
   double left_out = 0.0;
   double reach = 0.0;  // no image of the cell lies farther from either axis
-
-  // In place. Several points at a time, each by the same operations in the same order: one alone
-  // waits for the end of every addition.
-  void apply(double* xs, double* ys, std::size_t count) const {
-    while (count > 0) {
-      const std::size_t now = std::min(count, kAtOnce);
-      apply_some(xs, ys, now);
-      xs += now;
-      ys += now;
-      count -= now;
-    }
-  }
-
-  void apply_some(double* xs, double* ys, std::size_t count) const {
-    std::array<double, kAtOnce> x{}, y{}, px{}, py{};
-    std::copy(xs, xs + count, x.begin());
-    std::copy(ys, ys + count, y.begin());
-    LanePolynomials across, up;
-    chebyshev(x, center.x, across);
-    chebyshev(y, center.y, up);
-    std::size_t next = 0;
-    for (std::size_t m = 0; m < kNodes; ++m) {
-      std::array<double, kAtOnce> row_x{}, row_y{};
-      for (std::size_t n = 0; m + n < kNodes; ++n, ++next) {
-        const Coefficient c = coefficients[next];
-        for (std::size_t i = 0; i < kAtOnce; ++i) row_x[i] += c.x * up[n][i];
-        for (std::size_t i = 0; i < kAtOnce; ++i) row_y[i] += c.y * up[n][i];
-      }
-      for (std::size_t i = 0; i < kAtOnce; ++i) px[i] += row_x[i] * across[m][i];
-      for (std::size_t i = 0; i < kAtOnce; ++i) py[i] += row_y[i] * across[m][i];
-    }
-    std::copy(px.begin(), px.begin() + static_cast<std::ptrdiff_t>(count), xs);
-    std::copy(py.begin(), py.begin() + static_cast<std::ptrdiff_t>(count), ys);
-  }
-
-  static constexpr std::size_t kAtOnce = 4;
-  using LanePolynomials = std::array<std::array<double, kAtOnce>, kNodes>;
-
-  void chebyshev(const std::array<double, kAtOnce>& at, double middle, LanePolynomials& t) const {
-    for (std::size_t i = 0; i < kAtOnce; ++i) {
-      const double t1 = (at[i] - middle) * inverse_half;
-      const double t2 = 2.0 * t1 * t1 - 1.0;
-      const double t3 = 2.0 * t1 * t2 - t1;
-      t[0][i] = 1.0;
-      t[1][i] = t1;
-      t[2][i] = t2;
-      t[3][i] = t3;
-      t[4][i] = 2.0 * t1 * t3 - t2;
-    }
-  }
 };
 
 namespace {
