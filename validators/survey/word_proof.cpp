@@ -27,12 +27,11 @@ std::string_view trimmed(std::string_view text) {
 
 // Answers `judge(word)`, from memory where it can.
 template <class Judge>
-bool remembered(std::unordered_map<std::string_view, bool>& words, std::string_view word,
-                const Judge& judge) {
+bool remembered(WordSet& words, std::string_view word, const Judge& judge) {
   const auto found = words.find(word);
   if (found != words.end()) return found->second;
   const bool answer = judge(word);
-  if (words.size() < kMostWords) words.emplace(word, answer);
+  if (words.size() < kMostWords) words.emplace(std::string(word), answer);
   return answer;
 }
 
@@ -47,15 +46,15 @@ std::size_t slot_of(const char* text, std::size_t slots) {
 bool WordProver::are_sound(const Semantic& semantic) {
   const std::string_view text = semantic.view();
   Known& known = known_[slot_of(text.data(), kKnown)];
-  if (known.text == text.data()) return known.is_sound;
+  if (known.text.view().data() == text.data()) return known.is_sound;
   // An empty string is a defect of obstacles alone.
-  known = {text.data(), text.empty() || words_of(semantic).are_sound};
+  known = {semantic, text.empty() || words_of(text).are_sound};
   return known.is_sound;
 }
 
-Words WordProver::words_of(const Semantic& semantic) {
+Words WordProver::words_of(std::string_view semantic) {
   Words words;
-  std::string_view rest = semantic.view();
+  std::string_view rest = semantic;
   words.are_sound = !unreadable_part(rest);
   known_keys_ = 0;
   bool says_something = false;
@@ -87,6 +86,7 @@ bool WordProver::add_token(std::string_view token, Words& words) {
   }
   if (key == semantic_key::kLevel) words.level = value;
   if (key == semantic_key::kInnerOf) words.have_outer = true;
+  if (key == semantic_key::kSource) words.have_source = true;
   return is_first && !value.empty();
 }
 
