@@ -1,6 +1,7 @@
 // Walks over the fields of a record at speed.
 #pragma once
 
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -11,29 +12,51 @@
 #include "mapcore/map.hpp"
 #include "mapcore/text/characters.hpp"
 #include "mapcore/text/decimal.hpp"
+#include "mapcore/text/short_point.hpp"
 
 namespace mapwright::text {
 
 namespace detail {
 
-// 0x80 in each byte of the word that is `wanted`, and maybe in bytes above one that is.
-inline std::uint64_t bytes_equal(std::uint64_t word, unsigned char wanted) {
-  constexpr std::uint64_t kOnes = 0x0101010101010101U;
-  const std::uint64_t difference = word ^ (kOnes * wanted);
-  return (difference - kOnes) & ~difference & 0x8080808080808080U;
+#if defined(__SSE2__)
+
+inline __m128i sixteen_bytes(const char* p) {
+  return _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
 }
 
-// The first ';', '#' or line break, eight bytes at a time as long as there are so many.
+#endif
+
+/// The first ';', '#' or line break, sixteen bytes at a time as long as there are so many.
 inline const char* end_of_text_field(const char* at, const char* end) {
-  for (; end - at >= 8; at += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, at, sizeof word);
-    const std::uint64_t found = bytes_equal(word, ';') | bytes_equal(word, '#') |
-                                bytes_equal(word, '\n') | bytes_equal(word, '\r');
-    if (found != 0) break;
+#if defined(__SSE2__)
+  for (; end - at >= 16; at += 16) {
+    const __m128i bytes = sixteen_bytes(at);
+    const auto equal = [&](char c) { return _mm_cmpeq_epi8(bytes, _mm_set1_epi8(c)); };
+    const __m128i found =
+        _mm_or_si128(_mm_or_si128(equal(';'), equal('#')), _mm_or_si128(equal('\n'), equal('\r')));
+    const auto mask = static_cast<std::uint32_t>(_mm_movemask_epi8(found));
+    if (mask != 0) return at + std::countr_zero(mask);
   }
+#endif
   while (at != end && *at != ';' && *at != '#' && *at != '\n' && *at != '\r') ++at;
   return at;
+}
+
+/// True if `left` bytes from `at` on begin with `bytes`, no more of them, which lie before them in
+/// one text.
+inline bool are_equal(const char* at, std::string_view bytes, std::ptrdiff_t left) {
+#if defined(__SSE2__)
+  constexpr std::size_t kMost = 32;
+  if (bytes.size() <= kMost && left >= static_cast<std::ptrdiff_t>(kMost)) {
+    const auto differ = [&](std::size_t i) {
+      const __m128i equal = _mm_cmpeq_epi8(sixteen_bytes(at + i), sixteen_bytes(bytes.data() + i));
+      return static_cast<std::uint32_t>(_mm_movemask_epi8(equal)) ^ 0xFFFFU;
+    };
+    const std::uint32_t different = differ(0) | differ(16) << 16U;
+    return (std::uint64_t{different} << (64U - bytes.size())) == 0 || bytes.empty();
+  }
+#endif
+  return std::memcmp(at, bytes.data(), bytes.size()) == 0;
 }
 
 }  // namespace detail
@@ -46,8 +69,8 @@ class FieldCursor {
 
   const char* at() const { return at_; }
 
-  /// True, and the fields passed, if they are written in just these bytes, up to a ';' or blanks
-  /// behind it.
+  /// True, and the fields passed, if they are written in just these bytes of the text before them,
+  /// up to a ';' or blanks behind it.
   bool same_fields(std::string_view bytes) {
     if (!same_bytes(bytes)) return false;
     skip_blanks();
@@ -57,7 +80,16 @@ class FieldCursor {
   /// The same for fields up to the '#' of their record.
   bool same_record_end(std::string_view bytes) { return same_bytes(bytes); }
 
-  bool point(Point& p) { return number(p.x) && number(p.y); }
+  bool point(Point& p) {
+    if (left() >= static_cast<std::ptrdiff_t>(kShortPointBytes)) {
+      if (const char* const stop = read_short_point(at_, p)) {
+        at_ = stop;
+        skip_blanks();
+        return true;
+      }
+    }
+    return number(p.x) && number(p.y);
+  }
 
   bool number(double& value) {
     const char* stop = nullptr;
@@ -83,10 +115,11 @@ class FieldCursor {
     return field_end(at_ + 1);
   }
 
-  bool keyword(std::string_view word) {
-    if (left() < static_cast<std::ptrdiff_t>(word.size())) return false;
-    if (std::string_view(at_, word.size()) != word) return false;
-    return field_end(at_ + word.size());
+  template <std::size_t size>
+  bool keyword(const char (&word)[size]) {
+    if (left() < static_cast<std::ptrdiff_t>(size)) return false;
+    if (std::memcmp(at_, word, size - 1) != 0) return false;
+    return field_end(at_ + size - 1);
   }
 
   bool text(std::string_view& value) {
@@ -108,7 +141,7 @@ class FieldCursor {
 
   bool same_bytes(std::string_view bytes) {
     if (bytes.empty() || left() < static_cast<std::ptrdiff_t>(bytes.size())) return false;
-    if (std::memcmp(at_, bytes.data(), bytes.size()) != 0) return false;
+    if (!detail::are_equal(at_, bytes, left())) return false;
     at_ += bytes.size();
     return true;
   }

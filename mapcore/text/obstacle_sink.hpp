@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,7 +20,8 @@ namespace mapwright::text {
 /// Wants no more once a record does not fit or nobody looks any longer.
 class ObstacleSink {
  public:
-  explicit ObstacleSink(const ObstacleVisitor& visit) : visit_(visit) {}
+  ObstacleSink(std::size_t text_bytes, const ObstacleVisitor& visit)
+      : text_bytes_(text_bytes), visit_(visit) {}
 
   bool wants_more() const { return is_plain_ && is_wanted_; }
   bool is_plain() const { return is_plain_; }
@@ -34,11 +36,20 @@ class ObstacleSink {
     header_ = header;
     is_under_way_ = true;
     look_at_characters(header.semantic);
+    const auto declared = static_cast<std::uint64_t>(header.declared_segments);
+    if (declared <= text_bytes_ / MapBuilder::kShortestSegment) segments_.reserve(declared);
   }
 
   void segment(std::size_t /*offset*/, bool /*follows*/, Point a, Point b, double height_m,
                InOut in_out, const Semantic& semantic) {
-    segments_.emplace_back(a, b, height_m, in_out, semantic);
+    if (count_ == segments_.size()) segments_.emplace_back();
+    Segment& segment = segments_[count_++];
+    segment.a = a;
+    segment.b = b;
+    segment.height_m = height_m;
+    segment.in_out = in_out;
+    // Mostly the same stood there before: copies are counted.
+    if (!(segment.semantic == semantic)) segment.semantic = semantic;
   }
 
   /// No more records come.
@@ -48,27 +59,29 @@ class ObstacleSink {
   // Strings of printable ASCII are what most are; all else that is UTF-8 without control characters
   // will do.
   void look_at_characters(std::string_view text) {
-    if (is_ascii(text) && count_controls(text) == 0) return;
+    if (is_printable_ascii(text)) return;
     if (count_controls(text) > 0 || find_invalid_utf8(text) != text.npos) is_plain_ = false;
   }
 
   void show() {
     if (!is_under_way_) {
-      if (!segments_.empty()) is_plain_ = false;
-    } else if (static_cast<std::uint64_t>(header_.declared_segments) != segments_.size()) {
+      if (count_ > 0) is_plain_ = false;
+    } else if (static_cast<std::uint64_t>(header_.declared_segments) != count_) {
       is_plain_ = false;
     }
     if (is_under_way_ && wants_more()) {
-      is_wanted_ =
-          visit_({header_.offset, header_.id, header_.shape_type, header_.semantic, segments_});
+      is_wanted_ = visit_({header_.offset, header_.id, header_.shape_type, header_.semantic,
+                           std::span(segments_).first(count_)});
     }
-    segments_.clear();
+    count_ = 0;
   }
 
-  const ObstacleVisitor& visit_;
   SemanticCache semantics_;
   PlainHeader header_;
-  std::vector<Segment> segments_;  // of the obstacle under way
+  std::size_t text_bytes_;
+  const ObstacleVisitor& visit_;
+  std::vector<Segment> segments_;  // the first ones are those of the obstacle under way
+  std::size_t count_ = 0;          // of these
   bool is_under_way_ = false;      // an obstacle
   bool is_plain_ = true;
   bool is_wanted_ = true;

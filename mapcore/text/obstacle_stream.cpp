@@ -50,7 +50,7 @@ std::optional<Border> visit_obstacles(const MapText& text, const ObstacleVisitor
   const std::string_view all = text;
   const std::size_t mark = all.starts_with(text::kByteOrderMark) ? text::kByteOrderMark.size() : 0;
   const std::size_t first = skip_blanks(all, mark);
-  text::ObstacleSink sink(visit);
+  text::ObstacleSink sink(all.size(), visit);
   text::QuickReader<text::ObstacleSink> reader(all, sink);
   Border border;
   const std::size_t behind = reader.read_border(first, all.size(), border);

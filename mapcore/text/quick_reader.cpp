@@ -2,6 +2,14 @@
 
 namespace mapwright::text {
 
+// Only an obstacle's begins with a letter.
+template <class Sink>
+bool QuickReader<Sink>::read_record(const char*& at) {
+  const FieldCursor cursor(at, end_);
+  if (*cursor.at() == 'o') return sink_.wants_more() && read_obstacle(at);
+  return read_segment(at);
+}
+
 template <class Sink>
 bool QuickReader<Sink>::read_segment(const char*& at) {
   FieldCursor cursor(at, end_);
@@ -59,9 +67,7 @@ std::size_t QuickReader<Sink>::read(std::size_t at, std::size_t end) {
   const char* position = text_.data() + at;
   end_ = text_.data() + end;
   follows_ = false;
-  while (read_segment(position) || (sink_.wants_more() && read_obstacle(position))) {
-    follows_ = true;
-  }
+  while (read_record(position)) follows_ = true;
   return offset(position);
 }
 

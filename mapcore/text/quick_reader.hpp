@@ -45,6 +45,7 @@ class QuickReader {
     Semantic semantic;
   };
 
+  bool read_record(const char*& at);
   bool read_segment(const char*& at);
   bool read_attributes(FieldCursor& cursor);
   bool read_obstacle(const char*& at);
