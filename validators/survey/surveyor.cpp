@@ -25,13 +25,16 @@ SegmentLook look_of(std::span<const Segment> segments) {
   SegmentLook look;
   Point end = segments.front().a;
   const InOut side = segments.front().in_out;
+  look.box.add(end);
   for (const Segment& segment : segments) {
-    look.box.add(segment.a);
+    if (segment.a != end) {
+      look.box.add(segment.a);
+      look.is_joined = false;
+    }
     look.box.add(segment.b);
     look.least_height_m = std::min(look.least_height_m, segment.height_m);
     look.greatest_height_m = std::max(look.greatest_height_m, segment.height_m);
     look.all_have_length &= segment.a != segment.b;
-    look.is_joined &= segment.a == end;
     look.has_one_side &= segment.in_out == side;
     end = segment.b;
   }

@@ -105,7 +105,8 @@ bool WordProver::is_sound_label(std::string_view label) {
 
 void NameSet::add(std::string_view name, std::string_view level) {
   const std::hash<std::string_view> hash;
-  const std::uint64_t key = std::max<std::uint64_t>(1, hash(name) ^ std::rotl(hash(level), 31));
+  const std::uint64_t key =
+      std::max<std::uint64_t>(1, hash(name) ^ (level.empty() ? 0 : std::rotl(hash(level), 31)));
   if (2 * (count_ + kWaiting) > slots_.size()) grow();
   __builtin_prefetch(&slots_[key & (slots_.size() - 1)]);
   const std::uint64_t waited = std::exchange(waiting_[count_++ % kWaiting], key);
