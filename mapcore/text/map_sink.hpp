@@ -32,7 +32,12 @@ class MapSink {
 
   const Semantic& semantic(std::string_view text) { return semantics_.get(text); }
 
-  void obstacle(const PlainHeader& plain) {
+  /// Where the next obstacle record is read to.
+  PlainHeader& next_header() { return plain_; }
+
+  /// It was read.
+  void obstacle() {
+    const PlainHeader& plain = plain_;
     ObstacleHeader header;
     header.offset = plain.offset;
     header.id = plain.id;
@@ -52,6 +57,7 @@ class MapSink {
  private:
   MapBuilder& builder_;
   SemanticCache& semantics_;
+  PlainHeader plain_;
 };
 
 }  // namespace mapwright::text

@@ -1,6 +1,7 @@
 // Where QuickReader's records go when the obstacles are looked at one by one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -31,10 +32,15 @@ class ObstacleSink {
     return semantics_.get(text);
   }
 
-  void obstacle(const PlainHeader& header) {
+  /// Where the next obstacle record is read to: not over the one under way.
+  PlainHeader& next_header() { return headers_[1 - current_]; }
+
+  /// It was read.
+  void obstacle() {
     show();
-    header_ = header;
+    current_ = 1 - current_;
     is_under_way_ = true;
+    const PlainHeader& header = headers_[current_];
     look_at_characters(header.semantic);
     const auto declared = static_cast<std::uint64_t>(header.declared_segments);
     if (declared <= text_bytes_ / MapBuilder::kShortestSegment) segments_.reserve(declared);
@@ -63,21 +69,24 @@ class ObstacleSink {
     if (count_controls(text) > 0 || find_invalid_utf8(text) != text.npos) is_plain_ = false;
   }
 
+  const PlainHeader& header() const { return headers_[current_]; }
+
   void show() {
     if (!is_under_way_) {
       if (count_ > 0) is_plain_ = false;
-    } else if (static_cast<std::uint64_t>(header_.declared_segments) != count_) {
+    } else if (static_cast<std::uint64_t>(header().declared_segments) != count_) {
       is_plain_ = false;
     }
     if (is_under_way_ && wants_more()) {
-      is_wanted_ = visit_({header_.offset, header_.id, header_.shape_type, header_.semantic,
+      is_wanted_ = visit_({header().offset, header().id, header().shape_type, header().semantic,
                            std::span(segments_).first(count_)});
     }
     count_ = 0;
   }
 
   SemanticCache semantics_;
-  PlainHeader header_;
+  std::array<PlainHeader, 2> headers_;
+  std::size_t current_ = 0;  // of the obstacle under way
   std::size_t text_bytes_;
   const ObstacleVisitor& visit_;
   std::vector<Segment> segments_;  // the first ones are those of the obstacle under way

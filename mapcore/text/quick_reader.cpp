@@ -1,13 +1,54 @@
 #include "mapcore/text/quick_reader.hpp"
 
 namespace mapwright::text {
+namespace {
+
+// Bytes that read_joined_segment may look at, whatever stands there.
+constexpr std::ptrdiff_t kRoomForSegment = 160;
+
+// There, and so short that they, two line breaks and a short point between them take no more.
+bool are_short(std::string_view point, std::string_view attributes) {
+  return point.size() - 1U < 32U && attributes.size() - 1U < 80U;
+}
+
+const char* behind_line_break(const char* at) {
+  return at + (*at == '\n' ? 1 : 0);
+}
+
+}  // namespace
 
 // Only an obstacle's begins with a letter.
 template <class Sink>
 bool QuickReader<Sink>::read_record(const char*& at) {
+  if (read_joined_segment(at)) return true;
   const FieldCursor cursor(at, end_);
   if (*cursor.at() == 'o') return sink_.wants_more() && read_obstacle(at);
   return read_segment(at);
+}
+
+// As most segments are: from the end of the one before it, as high as that one, a line for each
+// point, and long before the end of what is to be read. Others are left to read_segment.
+template <class Sink>
+bool QuickReader<Sink>::read_joined_segment(const char*& at) {
+  if (end_ - at < kRoomForSegment || !are_short(last_end_.bytes, last_.bytes)) return false;
+  const char* const first = behind_line_break(at);
+  if (!detail::are_equal(first, last_end_.bytes, kRoomForSegment)) return false;
+  const char* const second = first + last_end_.bytes.size();
+  Point b;
+  const char* const stop = read_short_point(second, b);
+  if (stop == nullptr) return false;
+  const char* const third = behind_line_break(stop);
+  if (!detail::are_equal(third, last_.bytes, kRoomForSegment)) return false;
+  add_segment(first, last_end_.value, b);
+  last_end_ = {{second, static_cast<std::size_t>(third - second)}, b};
+  at = third + last_.bytes.size();
+  return true;
+}
+
+template <class Sink>
+void QuickReader<Sink>::add_segment(const char* first, Point a, Point b) {
+  sink_.segment(offset(first), follows_, a, b, last_.value.height_m, last_.value.in_out,
+                last_.value.semantic);
 }
 
 template <class Sink>
@@ -25,9 +66,7 @@ bool QuickReader<Sink>::read_segment(const char*& at) {
     last_.bytes = {third, static_cast<std::size_t>(cursor.at() - third)};
   }
   last_end_ = {{second, static_cast<std::size_t>(third - second)}, b};
-  const Attributes& attributes = last_.value;
-  sink_.segment(offset(first), follows_, a, b, attributes.height_m, attributes.in_out,
-                attributes.semantic);
+  add_segment(first, a, b);
   at = cursor.at();
   return true;
 }
@@ -47,7 +86,7 @@ bool QuickReader<Sink>::read_attributes(FieldCursor& cursor) {
 template <class Sink>
 bool QuickReader<Sink>::read_obstacle(const char*& at) {
   FieldCursor cursor(at, end_);
-  PlainHeader header;
+  PlainHeader& header = sink_.next_header();
   header.offset = offset(cursor.at());
   std::int64_t shape_type = 0;
   if (!cursor.keyword("obstacle") || !cursor.integer(header.id)) return false;
@@ -57,7 +96,7 @@ bool QuickReader<Sink>::read_obstacle(const char*& at) {
   header.declared_offset = offset(cursor.at());
   if (!cursor.integer(header.declared_segments) || header.declared_segments < 0) return false;
   if (!cursor.text(header.semantic) || !cursor.record_end()) return false;
-  sink_.obstacle(header);
+  sink_.obstacle();
   at = cursor.at();
   return true;
 }

@@ -46,7 +46,9 @@ class QuickReader {
   };
 
   bool read_record(const char*& at);
+  bool read_joined_segment(const char*& at);
   bool read_segment(const char*& at);
+  void add_segment(const char* first, Point a, Point b);
   bool read_attributes(FieldCursor& cursor);
   bool read_obstacle(const char*& at);
   std::size_t offset(const char* at) const { return static_cast<std::size_t>(at - text_.data()); }
