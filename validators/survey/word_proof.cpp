@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "mapcore/text/byte_counts.hpp"
 #include "validators/characters.hpp"
 #include "validators/vocabulary.hpp"
 
@@ -35,6 +36,12 @@ bool remembered(WordSet& words, std::string_view word, const Judge& judge) {
   return answer;
 }
 
+// All of a token behind its '='.
+bool is_plain_value(std::string_view text) {
+  return text.front() != ' ' && text.back() != ' ' && text.find(',') == text.npos &&
+         text::is_printable_ascii(text);
+}
+
 std::size_t slot_of(const char* text, std::size_t slots) {
   constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
   const auto address = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(text));
@@ -42,6 +49,29 @@ std::size_t slot_of(const char* text, std::size_t slots) {
 }
 
 }  // namespace
+
+std::optional<Words> WordPattern::words_of(std::string_view semantic) const {
+  if (text_.empty() || !semantic.starts_with(text_)) return std::nullopt;
+  const auto name = semantic.substr(text_.size());
+  if (name.empty() == ends_with_name_) return std::nullopt;
+  Words words;
+  words.are_sound = true;
+  words.have_name = ends_with_name_;
+  words.name = name;
+  if (ends_with_name_ && !is_plain_value(name)) return std::nullopt;
+  return words;
+}
+
+void WordPattern::learn(std::string_view semantic, const Words& words) {
+  text_.clear();
+  if (!words.are_sound || words.have_outer || words.have_source || !words.level.empty()) return;
+  ends_with_name_ = words.have_name;
+  if (!words.have_name) {
+    text_ = semantic;
+  } else if (words.name.data() + words.name.size() == semantic.data() + semantic.size()) {
+    text_ = semantic.substr(0, semantic.size() - words.name.size());
+  }
+}
 
 bool WordProver::are_sound(const Semantic& semantic) {
   const std::string_view text = semantic.view();
@@ -53,6 +83,13 @@ bool WordProver::are_sound(const Semantic& semantic) {
 }
 
 Words WordProver::words_of(std::string_view semantic) {
+  if (const auto words = pattern_.words_of(semantic)) return *words;
+  const Words words = judged(semantic);
+  pattern_.learn(semantic, words);
+  return words;
+}
+
+Words WordProver::judged(std::string_view semantic) {
   Words words;
   std::string_view rest = semantic;
   words.are_sound = !unreadable_part(rest);

@@ -33,6 +33,20 @@ struct WordHash {
 };
 using WordSet = std::unordered_map<std::string, bool, WordHash, std::equal_to<>>;
 
+/// The last sound string, without its name where it ends with one: those that follow are mostly the
+/// same, or the same with another name.
+class WordPattern {
+ public:
+  /// Nothing where the string is another one.
+  std::optional<Words> words_of(std::string_view semantic) const;
+
+  void learn(std::string_view semantic, const Words& words);
+
+ private:
+  std::string text_;  // empty: none
+  bool ends_with_name_ = false;
+};
+
 /// Judges one string after another; remembers words it has met, and the last strings that many
 /// share.
 class WordProver {
@@ -44,6 +58,7 @@ class WordProver {
   bool are_sound(const Semantic& semantic);
 
  private:
+  Words judged(std::string_view semantic);
   bool is_sound_key(std::string_view key);
   bool is_sound_label(std::string_view label);
   bool add_token(std::string_view token, Words& words);
@@ -55,6 +70,7 @@ class WordProver {
   };
   static constexpr std::size_t kKnown = 256;
 
+  WordPattern pattern_;  // of the strings of obstacles, and of segments that differ from theirs
   WordSet labels_, keys_;
   std::string last_label_;  // a sound one
   std::array<Known, kKnown> known_;
