@@ -11,6 +11,9 @@
 namespace mapwright::cli {
 namespace {
 
+// A look keeps no more than one byte for so many of the text.
+constexpr std::size_t kTextPerSurvey = 4;
+
 ValidatedMap without_obstacles(MapText text, const Border& border) {
   ValidatedMap result;
   result.document.text = std::move(text);
@@ -23,6 +26,7 @@ ValidatedMap without_obstacles(MapText text, const Border& border) {
 
 ValidatedMap validated_text(MapText text, const validators::ValidationOptions& options,
                             const Progress& progress, bool needs_sources) {
+  expect_memory(text.size() / kTextPerSurvey);
   auto look = validators::survey_text(text, options, progress);
   if (look.is_sound && !(needs_sources && look.may_name_sources)) {
     return without_obstacles(std::move(text), look.border);

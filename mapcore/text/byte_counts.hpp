@@ -46,17 +46,17 @@ inline bool is_printable_ascii(std::string_view text) {
   constexpr std::uint64_t kOnes = 0x0101010101010101U;
   std::uint64_t odd = 0;
   // The highest bit of a byte is set in it, or by taking ' ' from less, or by adding 1 to DEL.
-  const auto look_at = [&](std::uint64_t word) {
+  const auto look_at = [&](const char* eight) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, eight, sizeof word);
     odd |= word | (word - kOnes * ' ') | (word + kOnes);
   };
-  std::uint64_t word = kOnes * ' ';
-  for (; text.size() >= sizeof word; text.remove_prefix(sizeof word)) {
-    std::memcpy(&word, text.data(), sizeof word);
-    look_at(word);
+  constexpr std::size_t kEight = sizeof odd;
+  if (text.size() < kEight) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
   }
-  word = kOnes * ' ';
-  std::memcpy(&word, text.data(), text.size());
-  look_at(word);
+  for (std::size_t at = 0; at + kEight <= text.size(); at += kEight) look_at(text.data() + at);
+  look_at(text.data() + text.size() - kEight);
   return (odd & (kOnes << 7U)) == 0;
 }
 

@@ -46,8 +46,8 @@ class ObstacleSink {
     if (declared <= text_bytes_ / MapBuilder::kShortestSegment) segments_.reserve(declared);
   }
 
-  void segment(std::size_t /*offset*/, bool /*follows*/, Point a, Point b, double height_m,
-               InOut in_out, const Semantic& semantic) {
+  void segment(std::size_t /*offset*/, bool /*follows*/, const Point& a, const Point& b,
+               double height_m, InOut in_out, const Semantic& semantic) {
     if (count_ == segments_.size()) segments_.emplace_back();
     Segment& segment = segments_[count_++];
     segment.a = a;

@@ -46,7 +46,7 @@ bool QuickReader<Sink>::read_joined_segment(const char*& at) {
 }
 
 template <class Sink>
-void QuickReader<Sink>::add_segment(const char* first, Point a, Point b) {
+void QuickReader<Sink>::add_segment(const char* first, const Point& a, const Point& b) {
   sink_.segment(offset(first), follows_, a, b, last_.value.height_m, last_.value.in_out,
                 last_.value.semantic);
 }

@@ -48,7 +48,9 @@ class QuickReader {
   bool read_record(const char*& at);
   bool read_joined_segment(const char*& at);
   bool read_segment(const char*& at);
-  void add_segment(const char* first, Point a, Point b);
+  /// Points stay in memory: a processor waits for one that is written in halves and read as a
+  /// whole.
+  void add_segment(const char* first, const Point& a, const Point& b);
   bool read_attributes(FieldCursor& cursor);
   bool read_obstacle(const char*& at);
   std::size_t offset(const char* at) const { return static_cast<std::size_t>(at - text_.data()); }

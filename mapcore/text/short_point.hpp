@@ -59,7 +59,7 @@ struct ShortDecimal {
 
 /// Both values at once, by neighbours: digits to pairs, pairs to fours, fours to numbers. Exact:
 /// eight digits fit a double, and one division rounds once.
-inline Point values_of(const char* p, const ShortDecimal& x, const ShortDecimal& y) {
+inline void read_values(const char* p, const ShortDecimal& x, const ShortDecimal& y, Point& value) {
   const auto two = [](std::uint64_t low, std::uint64_t high) {
     return _mm_set_epi64x(static_cast<std::int64_t>(high), static_cast<std::int64_t>(low));
   };
@@ -74,10 +74,8 @@ inline Point values_of(const char* p, const ShortDecimal& x, const ShortDecimal&
       _mm_set_pd(kDoublePowersOfTen[y.decimals()], kDoublePowersOfTen[x.decimals()]);
   const __m128d magnitudes = _mm_div_pd(_mm_cvtepi32_pd(numbers), scales);
   const __m128d signs = _mm_castsi128_pd(two(x.sign(), y.sign()));
-  Point point;
   // −0 becomes 0.
-  _mm_storeu_pd(&point.x, _mm_add_pd(_mm_xor_pd(magnitudes, signs), _mm_setzero_pd()));
-  return point;
+  _mm_storeu_pd(&value.x, _mm_add_pd(_mm_xor_pd(magnitudes, signs), _mm_setzero_pd()));
 }
 
 /// Takes the number that begins at `begin` off the places that hold no digit. They must be enough.
@@ -108,7 +106,7 @@ inline const char* read_short_point(const char* p, Point& value) {
   if (!x.is_plain(p)) return nullptr;
   const auto y = detail::take_decimal(p, x.end + 1, others);
   if (!y.is_plain(p)) return nullptr;
-  value = detail::values_of(p, x, y);
+  detail::read_values(p, x, y, value);
   return p + y.end + 1;
 }
 

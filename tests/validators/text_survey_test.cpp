@@ -147,6 +147,7 @@ TEST(TextSurvey, ProvesWhatLiesApartWithinItsBorder) {
   EXPECT_FALSE(survey_text(text_with({-4.0, 10.0, 10.0, -10.0}, obstacles())).is_sound);
   EXPECT_FALSE(survey_text(text_with({-500.0, 10.0, 10.0, -10.0}, obstacles())).is_sound);
   EXPECT_FALSE(survey_text(text_with({10.0, 10.0, -10.0, -10.0}, obstacles())).is_sound);
+  EXPECT_FALSE(survey_text(text_with({-1e9, 10.0, 10.0, -10.0}, {})).is_sound);  // absurd
 }
 
 TEST(TextSurvey, KnowsWhetherObstaclesNameTheirSources) {
@@ -161,9 +162,9 @@ TEST(TextSurvey, KnowsWhetherObstaclesNameTheirSources) {
 
 // The same string again and again, and names that follow it, are known by the one before.
 TEST(TextSurvey, JudgesStringsThatRepeatAsItDoesTheFirst) {
-  for (const char* odd : {"building,name=", "building,name= ", "building,name=A,bilding",
-                          "building,name=A,", "building,name=A,name=B", "building,name=\xC2\x80",
-                          "building,name=A,level=", "bilding", "building,name=C"}) {
+  for (const char* odd :
+       {"building,name=", "building,name= ", "building,name=A,bilding", "building,name=A,name=B",
+        "building,name=\xC2\x80", "building,name=A,level=", "bilding", "building,name=C"}) {
     std::vector<Obstacle> obstacles;
     for (const char* text : {"building,name=C", "building,name=D", odd, "building,name=E"}) {
       const double x = static_cast<double>(obstacles.size()) * 4.0 - 8.0;

@@ -42,21 +42,17 @@ bool goes_on(Point before, Point corner, Point after) {
 class RoundCounter {
  public:
   void add(double extent_x) {
-    if (extent_x == 0.0) return;
-    const bool is_right = extent_x > 0.0;
-    if (is_first_) {
-      first_was_right_ = is_right;
-    } else {
-      changes_ += is_right != was_right_ ? 1 : 0;
-    }
-    is_first_ = false;
-    was_right_ = is_right;
+    const int side = (extent_x > 0.0 ? 1 : 0) - (extent_x < 0.0 ? 1 : 0);
+    if (side == 0) return;
+    changes_ += side != last_ ? 1 : 0;
+    first_ = first_ == 0 ? side : first_;
+    last_ = side;
   }
-  bool is_one() const { return changes_ + (was_right_ != first_was_right_ ? 1 : 0) == 2; }
+  /// The first edge counts as a change too.
+  bool is_one() const { return changes_ - 1 + (last_ != first_ ? 1 : 0) == 2; }
 
  private:
-  int changes_ = 0;
-  bool is_first_ = true, was_right_ = false, first_was_right_ = false;
+  int changes_ = 0, first_ = 0, last_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "validators/survey/text_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "mapcore/geometry/segment_index.hpp"
@@ -14,10 +15,17 @@ namespace {
 // Obstacles that show how many bytes of the text one takes.
 constexpr std::size_t kSample = 1024;
 
-// G101, G107, G109, G125 and G126: obstacles keep a distance from the border on all sides, but no
-// great one.
+// G101 and G102: it encloses an area, near enough.
+bool is_plausible(const Border& border, const ValidationOptions& options) {
+  const double farthest_m = std::max({std::abs(border.left), std::abs(border.top),
+                                      std::abs(border.right), std::abs(border.bottom)});
+  return border.left < border.right && border.bottom < border.top &&
+         farthest_m <= options.max_coordinate_m;
+}
+
+// G107, G109, G125 and G126: obstacles keep a distance from the border on all sides, but no great
+// one.
 bool surrounds(const Border& border, const Box& obstacles, const ValidationOptions& options) {
-  if (!(border.left < border.right && border.bottom < border.top)) return false;
   if (obstacles.is_empty()) return true;
   const auto margins = margins_m(border, obstacles);
   const auto [least, greatest] = std::minmax_element(margins.begin(), margins.end());
@@ -34,7 +42,8 @@ bool may_come_near_each_other(const std::vector<Box>& boxes, double reach_m) {
 }
 
 bool is_sound(const Survey& survey, const Border& border, const ValidationOptions& options) {
-  return !survey.names_may_repeat() && surrounds(border, survey.extent(), options) &&
+  return !survey.names_may_repeat() && is_plausible(border, options) &&
+         surrounds(border, survey.extent(), options) &&
          !may_come_near_each_other(survey.boxes(), std::max(0.0, options.near_miss_m));
 }
 
