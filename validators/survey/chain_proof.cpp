@@ -1,7 +1,9 @@
 #include "validators/survey/chain_proof.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "mapcore/geometry/filtered_turn.hpp"
 #include "validators/shape/spike_gap.hpp"
@@ -22,8 +24,11 @@ constexpr double kSureShare = 1e-6;
 // What a ring must be wider than a sliver, for the two sums to be off by rounding.
 constexpr double kSureRatio = 1.1;
 
+// All four at once: which of them fails, no processor foresees.
 bool boxes_meet(const Box& p, const Box& q) {
-  return p.min_x <= q.max_x && q.min_x <= p.max_x && p.min_y <= q.max_y && q.min_y <= p.max_y;
+  const int in_x = (p.min_x <= q.max_x ? 1 : 0) & (q.min_x <= p.max_x ? 1 : 0);
+  const int in_y = (p.min_y <= q.max_y ? 1 : 0) & (q.min_y <= p.max_y ? 1 : 0);
+  return (in_x & in_y) != 0;
 }
 
 Box box_of(Point a, Point b) {
@@ -42,8 +47,9 @@ bool goes_on(Point before, Point corner, Point after) {
 class RoundCounter {
  public:
   void add(double extent_x) {
-    const int side = (extent_x > 0.0 ? 1 : 0) - (extent_x < 0.0 ? 1 : 0);
-    if (side == 0) return;
+    if (extent_x == 0.0) return;
+    // From its sign bit: a comparison would be guessed, and wrongly half of the time.
+    const int side = 1 + static_cast<int>(std::bit_cast<std::uint64_t>(extent_x) >> 63U);
     changes_ += side != last_ ? 1 : 0;
     first_ = first_ == 0 ? side : first_;
     last_ = side;
