@@ -40,7 +40,8 @@ bool QuickReader<Sink>::read_joined_segment(const char*& at) {
   const char* const third = behind_line_break(stop);
   if (!detail::are_equal(third, last_.bytes, kRoomForSegment)) return false;
   add_segment(first, last_end_.value, b);
-  last_end_ = {{second, static_cast<std::size_t>(third - second)}, b};
+  last_end_.bytes = {second, static_cast<std::size_t>(third - second)};
+  last_end_.value = b;
   at = third + last_.bytes.size();
   return true;
 }
@@ -65,7 +66,8 @@ bool QuickReader<Sink>::read_segment(const char*& at) {
     if (!read_attributes(cursor)) return false;
     last_.bytes = {third, static_cast<std::size_t>(cursor.at() - third)};
   }
-  last_end_ = {{second, static_cast<std::size_t>(third - second)}, b};
+  last_end_.bytes = {second, static_cast<std::size_t>(third - second)};
+  last_end_.value = b;
   add_segment(first, a, b);
   at = cursor.at();
   return true;
