@@ -1,5 +1,6 @@
-// How fast a map file is read and validated (seconds of processor time), how much memory that
-// takes, and how both grow: table over five sizes.
+// How fast a map file is validated (seconds of processor time), how much memory that takes, and how
+// both grow: table over five sizes, of sound maps and of maps that must be read as a whole because
+// something at their end is wrong.
 //
 // Each size runs in a process of its own, so that its peak memory is its own.
 // Usage: validate_bench [SEGMENTS]   (one size only; default 31,250 to 10,000,000)
@@ -15,15 +16,13 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "bench/support/campus_generator.hpp"
 #include "bench/support/machine.hpp"
-#include "cli/support/files.hpp"
 #include "cli/support/heap.hpp"
-#include "cli/support/mapped_file.hpp"
-#include "mapcore/text/reader.hpp"
+#include "cli/support/validated_map.hpp"
 #include "mapcore/text/writer.hpp"
-#include "validators/validator.hpp"
 
 namespace mapwright::bench {
 namespace {
@@ -41,18 +40,16 @@ double peak_memory_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-void write_campus(std::size_t segments, const std::string& path) {
+// Sound, or with an obstacle at its end that lies upon the one before it.
+void write_campus(std::size_t segments, bool is_sound, const std::string& path) {
   const double side_m = 100.0 * std::sqrt(static_cast<double>(segments) / 520.0);
+  Map map = generate_campus({side_m, segments, 1});
+  if (!is_sound) {
+    map.obstacles.push_back(map.obstacles.back());
+    ++map.obstacles.back().id;
+  }
   std::ofstream out(path, std::ios::binary);
-  write_map(generate_campus({side_m, segments, 1}), out);
-}
-
-// Large files as `mapwright validate` does it; a small one's text is kept.
-MapDocument read_map_file(const std::string& path) {
-  auto text = cli::map_large_file(path);
-  if (!text) return read_map(cli::read_file(path));
-  cli::expect_map_of(text->size());
-  return read_map(*std::move(text));
+  write_map(map, out);
 }
 
 void measure(std::size_t segments, const std::string& path) {
@@ -60,17 +57,15 @@ void measure(std::size_t segments, const std::string& path) {
   const double megabytes = static_cast<double>(std::filesystem::file_size(path)) / 1e6;
   const auto count = static_cast<double>(segments);
   const double start_s = cpu_seconds();
-  const MapDocument document = read_map_file(path);
-  const double read_s = cpu_seconds() - start_s;
-  const auto findings = validators::validate(document);
+  const auto validated = cli::validated_file(path, {}, {});
   const double total_s = cpu_seconds() - start_s;
   std::cout << std::setw(10) << segments << std::fixed << std::setprecision(1) << std::setw(9)
-            << megabytes << std::setprecision(3) << std::setw(9) << read_s << std::setw(9)
-            << total_s << std::setprecision(1) << std::setw(9) << megabytes / total_s
-            << std::setprecision(0) << std::setw(12) << 1e9 * total_s / count << std::setw(17)
-            << peak_memory_bytes() / count << std::setprecision(2) << std::setw(14)
-            << peak_memory_bytes() / (1e6 * megabytes) << std::setw(10) << findings.size()
-            << std::endl;
+            << megabytes << std::setw(8) << (validated.is_read ? "yes" : "no")
+            << std::setprecision(3) << std::setw(9) << total_s << std::setprecision(1)
+            << std::setw(9) << megabytes / total_s << std::setprecision(0) << std::setw(12)
+            << 1e9 * total_s / count << std::setw(17) << peak_memory_bytes() / count
+            << std::setprecision(2) << std::setw(14) << peak_memory_bytes() / (1e6 * megabytes)
+            << std::setw(10) << validated.findings.size() << std::endl;
 }
 
 // In a child, since peak memory never falls.
@@ -84,10 +79,10 @@ void do_apart(const Work& work) {
   wait(nullptr);
 }
 
-void measure_apart(std::size_t segments) {
+void measure_apart(std::size_t segments, bool is_sound) {
   const std::string path = std::filesystem::temp_directory_path() /
                            ("validate_bench." + std::to_string(getpid()) + ".txt");
-  do_apart([&] { write_campus(segments, path); });
+  do_apart([&] { write_campus(segments, is_sound, path); });
   do_apart([&] { measure(segments, path); });
   std::filesystem::remove(path);
 }
@@ -99,14 +94,12 @@ int main(int argc, char** argv) {
   using namespace mapwright::bench;
   std::cout
       << machine_description() << '\n'
-      << "  segments       MB   read s  total s     MB/s  ns/segment  bytes/segment  memory/file"
+      << "  segments       MB    read        s     MB/s  ns/segment  bytes/segment  memory/file"
          "  findings\n";
-  if (argc > 1) {
-    measure_apart(std::strtoull(argv[1], nullptr, 10));
-    return 0;
-  }
-  for (const std::size_t segments : {31'250, 125'000, 500'000, 2'000'000, 10'000'000}) {
-    measure_apart(segments);
+  std::vector<std::size_t> sizes{31'250, 125'000, 500'000, 2'000'000, 10'000'000};
+  if (argc > 1) sizes = {std::strtoull(argv[1], nullptr, 10)};
+  for (const bool is_sound : {true, false}) {
+    for (const std::size_t segments : sizes) measure_apart(segments, is_sound);
   }
   return 0;
 }

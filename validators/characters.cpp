@@ -4,17 +4,12 @@
 #include <array>
 #include <cstdint>
 
+#include "mapcore/text/byte_counts.hpp"
+
 namespace mapwright::validators {
 namespace {
 
 constexpr char32_t kInvalid = 0xFFFFFFFF;
-
-// Without a way out in between, so that the compiler looks at many at once.
-bool are_all_plain(std::string_view text) {
-  unsigned odd = 0;
-  for (const char c : text) odd |= c >= 0x20 && c < 0x7F ? 0U : 1U;
-  return odd == 0;
-}
 
 // Takes the next character off the text; kInvalid for a byte that begins none.
 char32_t take_character(std::string_view& text) {
@@ -98,7 +93,7 @@ std::optional<std::string> defect_of(char32_t before, char32_t character) {
 }  // namespace
 
 std::optional<std::string> unreadable_part(std::string_view text) {
-  if (are_all_plain(text)) return std::nullopt;
+  if (text::is_printable_ascii(text)) return std::nullopt;
   char32_t before = 0;
   while (!text.empty()) {
     const char32_t character = take_character(text);

@@ -28,6 +28,8 @@ class CheckContext {
  public:
   CheckContext(const MapDocument& document, const ValidationOptions& options,
                Proofs proofs = Proofs::kAll);
+  /// With a survey of the document's map that was made before.
+  CheckContext(const MapDocument& document, const ValidationOptions& options, Survey survey);
   CheckContext(const CheckContext&) = delete;
   CheckContext& operator=(const CheckContext&) = delete;
   ~CheckContext();

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "mapcore/geometry/segment_index.hpp"
 #include "validators/check.hpp"
@@ -10,8 +11,7 @@
 namespace mapwright::validators {
 
 struct CheckContext::Derived {
-  Derived(const Map& map, const ValidationOptions& options, Proofs proofs)
-      : survey(map, options, proofs) {}
+  explicit Derived(Survey made) : survey(std::move(made)) {}
 
   Survey survey;
   std::unordered_set<std::int64_t> incomplete;  // ids
@@ -56,9 +56,13 @@ bool loses_a_segment(FindingCode code) {
 
 CheckContext::CheckContext(const MapDocument& document, const ValidationOptions& options,
                            Proofs proofs)
+    : CheckContext(document, options, Survey(document.map, options, proofs)) {}
+
+CheckContext::CheckContext(const MapDocument& document, const ValidationOptions& options,
+                           Survey survey)
     : document_(document),
       options_(options),
-      derived_(std::make_unique<Derived>(document.map, options, proofs)) {
+      derived_(std::make_unique<Derived>(std::move(survey))) {
   for (const auto& finding : document.findings) {
     if (finding.obstacle && loses_a_segment(finding.code)) {
       derived_->incomplete.insert(*finding.obstacle);

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "validators/check.hpp"
+#include "validators/survey/text_survey.hpp"
 
 namespace mapwright::validators {
 namespace {
@@ -14,6 +16,20 @@ constexpr std::array kChecks{
 #undef MAPWRIGHT_CHECK
 };
 
+std::vector<Finding> validate(const CheckContext& context, const Progress& progress) {
+  FindingSink sink(context.document());
+  for (std::size_t i = 0; i < kChecks.size(); ++i) {
+    kChecks[i](context, sink);
+    if (progress) progress(i + 1, kChecks.size());
+  }
+  std::vector<Finding> findings = context.document().findings;
+  auto found = sink.take();
+  findings.insert(findings.end(), std::make_move_iterator(found.begin()),
+                  std::make_move_iterator(found.end()));
+  sort_findings(findings);
+  return findings;
+}
+
 }  // namespace
 
 std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options) {
@@ -22,16 +38,13 @@ std::vector<Finding> validate(const MapDocument& document, const ValidationOptio
 
 std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options,
                               Proofs proofs) {
-  const CheckContext context(document, options, proofs);
-  FindingSink sink(document);
-  for (const auto check : kChecks) check(context, sink);
+  return validate(CheckContext(document, options, proofs), {});
+}
 
-  std::vector<Finding> findings = document.findings;
-  auto found = sink.take();
-  findings.insert(findings.end(), std::make_move_iterator(found.begin()),
-                  std::make_move_iterator(found.end()));
-  sort_findings(findings);
-  return findings;
+std::vector<Finding> validate(const MapDocument& document, const ValidationOptions& options,
+                              std::optional<Survey> survey, const Progress& progress) {
+  if (!survey) survey.emplace(document.map, options, Proofs::kAll);
+  return validate(CheckContext(document, options, *std::move(survey)), progress);
 }
 
 }  // namespace mapwright::validators

@@ -7,9 +7,8 @@
 
 #include "cli/support/error.hpp"
 #include "cli/support/map_files.hpp"
+#include "cli/support/validated_map.hpp"
 #include "mapcore/georeference.hpp"
-#include "mapcore/text/reader.hpp"
-#include "validators/validator.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -41,16 +40,15 @@ std::vector<Finding> ConvertedFiles::write_map(converter::ConvertedMap map, doub
     map = {};  // before the text of it is read
     std::string text = std::move(out).str();
     console.out() << text;
-    return validators::validate(read_map(std::move(text)));
+    return validated_text(std::move(text), {}, console.progress("validating")).findings;
   }
   write_stream(*map_, output_, [&](std::ostream& out) {
     map.write(out, {resolution_m}, console.progress("writing"));
   });
   map = {};
-  auto document = std::make_unique<MapDocument>(read_map_file(map_->path()));
-  auto findings = validators::validate(*document);
-  if (is_last) keep_to_the_end(std::move(document));
-  return findings;
+  auto validated = validated_file(map_->path(), {}, console.progress("validating"));
+  if (is_last) keep_to_the_end(std::make_unique<MapDocument>(std::move(validated.document)));
+  return std::move(validated.findings);
 }
 
 std::vector<Finding> ConvertedFiles::write_map(Map map, double resolution_m, Console& console) {

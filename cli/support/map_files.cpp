@@ -14,12 +14,15 @@
 
 namespace mapwright::cli {
 
+MapText read_map_text(const std::string& path) {
+  if (auto text = map_large_file(path)) return *std::move(text);
+  return read_file(path);
+}
+
 MapDocument read_map_file(const std::string& path) {
-  if (auto text = map_large_file(path)) {
-    expect_map_of(text->size());
-    return read_map(*std::move(text));
-  }
-  return read_map(read_file(path));
+  MapText text = read_map_text(path);
+  expect_map_of(text.size());
+  return read_map(std::move(text));
 }
 
 void keep_to_the_end(std::unique_ptr<MapDocument> document) {

@@ -11,6 +11,10 @@
 
 namespace mapwright::cli {
 
+/// The text of a map, from a file or from standard input ("-"); large files are mapped. Throws
+/// Error (kInput) where the file cannot be read.
+MapText read_map_text(const std::string& path);
+
 /// Reads a map from a file or from standard input ("-"). Throws Error (kInput) where the file
 /// cannot be read; defects of its text are findings of the document.
 MapDocument read_map_file(const std::string& path);

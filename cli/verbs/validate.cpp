@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iterator>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "cli/support/map_reports.hpp"
 #include "cli/support/map_rules.hpp"
 #include "cli/support/policy_options.hpp"
+#include "cli/support/validated_map.hpp"
 #include "cli/verb.hpp"
 #include "converter/ledger/obstacle_sources.hpp"
 #include "validators/check_pages.hpp"
@@ -52,6 +54,12 @@ void print_catalogue(std::ostream& out) {
         << std::setw(26) << type.name << "  " << type.summary
         << (std::binary_search(fixable.begin(), fixable.end(), type.code) ? " [fix]" : "") << '\n';
   }
+}
+
+// Obstacles that name GIS features want one.
+bool lacks_sidecar(const std::string& path) {
+  std::error_code error;
+  return path != "-" && !std::filesystem::exists(sidecar_path(path), error);
 }
 
 class Validate : public Verb {
@@ -116,9 +124,11 @@ class Validate : public Verb {
   void write_report(std::ostream& out, bool colour, Console& console) {
     const auto writer = format_->make(out, {"validate", colour});
     const auto progress = console.progress("validating");
+    const bool is_only = paths_.size() == 1;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-      report_map(paths_[i], i + 1 == paths_.size(), *writer, console);
-      if (paths_.size() > 1) progress(i + 1, paths_.size());
+      report_map(paths_[i], i + 1 == paths_.size(), *writer, console,
+                 is_only ? progress : Progress());
+      if (!is_only) progress(i + 1, paths_.size());
     }
     for (const auto& report : rules_->policy_reports(true)) {
       totals_.add_findings(report.findings);
@@ -129,13 +139,15 @@ class Validate : public Verb {
   }
 
   void report_map(const std::string& path, bool is_last, validators::ReportWriter& writer,
-                  Console& console) {
+                  Console& console, const Progress& progress) {
     MapReport report{display_path(path), {}, {}, {}, {}};
     auto document = std::make_unique<MapDocument>();
     try {
-      *document = read_map_file(path);
+      const auto options = validators::validation_options(rules_->profile(path));
+      auto validated = validated_file(path, options, progress, lacks_sidecar(path));
+      *document = std::move(validated.document);
       report.text = document->text;
-      judge(path, *document, report);
+      judge(path, *document, std::move(validated.findings), report);
     } catch (const Error& error) {
       if (error.status() != ExitStatus::kInput) throw;
       console.error(error.what());
@@ -147,9 +159,8 @@ class Validate : public Verb {
     if (is_last) keep_to_the_end(std::move(document));
   }
 
-  void judge(const std::string& path, const MapDocument& document, MapReport& report) const {
-    auto findings =
-        validators::validate(document, validators::validation_options(rules_->profile(path)));
+  void judge(const std::string& path, const MapDocument& document, std::vector<Finding> findings,
+             MapReport& report) const {
     auto more = sidecar_findings(path, document.map);
     findings.insert(findings.end(), std::make_move_iterator(more.begin()),
                     std::make_move_iterator(more.end()));

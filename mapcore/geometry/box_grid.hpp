@@ -36,7 +36,8 @@ class BoxGrid {
   std::size_t cell(double value, double low, std::size_t cells) const {
     const double at = (value - low) * per_metre_;
     if (!(at > 0.0)) return 0;
-    return at < static_cast<double>(cells) ? static_cast<std::size_t>(at) : cells - 1;
+    return at < static_cast<double>(cells) ? static_cast<std::size_t>(static_cast<std::int64_t>(at))
+                                           : cells - 1;
   }
   std::size_t column_of(double x) const { return cell(x, low_.x, columns_); }
   std::size_t row_of(double y) const { return cell(y, low_.y, rows_); }

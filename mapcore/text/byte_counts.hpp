@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 #include "mapcore/text/characters.hpp"
@@ -38,6 +39,25 @@ inline bool is_ascii(std::string_view text) {
     if (all >= 0x80) return false;
   }
   return true;
+}
+
+/// False where a byte is beyond ' ' to '~', eight bytes at a time: for short texts.
+inline bool is_printable_ascii(std::string_view text) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101U;
+  std::uint64_t odd = 0;
+  // The highest bit of a byte is set in it, or by taking ' ' from less, or by adding 1 to DEL.
+  const auto look_at = [&](const char* eight) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, eight, sizeof word);
+    odd |= word | (word - kOnes * ' ') | (word + kOnes);
+  };
+  constexpr std::size_t kEight = sizeof odd;
+  if (text.size() < kEight) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  }
+  for (std::size_t at = 0; at + kEight <= text.size(); at += kEight) look_at(text.data() + at);
+  look_at(text.data() + text.size() - kEight);
+  return (odd & (kOnes << 7U)) == 0;
 }
 
 /// Code points: all bytes but those that continue a UTF-8 sequence.

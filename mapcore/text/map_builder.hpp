@@ -51,8 +51,8 @@ class MapBuilder {
 
   /// The same, of these values, right behind the '#' of the segment, or of its obstacle's header,
   /// that was handed in before it if `follows`.
-  void segment(std::size_t offset, bool follows, Point a, Point b, double height_m, InOut in_out,
-               const Semantic& semantic) {
+  void segment(std::size_t offset, bool follows, const Point& a, const Point& b, double height_m,
+               InOut in_out, const Semantic& semantic) {
     add_segment(offset, follows, a, b, height_m, in_out, semantic);
   }
 

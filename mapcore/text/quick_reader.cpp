@@ -1,142 +1,60 @@
 #include "mapcore/text/quick_reader.hpp"
 
-#include <charconv>
-#include <cmath>
-#include <cstring>
-
-#include "mapcore/text/characters.hpp"
-#include "mapcore/text/decimal.hpp"
-
 namespace mapwright::text {
-
 namespace {
 
-// 0x80 in each byte of the word that is `wanted`, and maybe in bytes above one that is.
-std::uint64_t bytes_equal(std::uint64_t word, unsigned char wanted) {
-  constexpr std::uint64_t kOnes = 0x0101010101010101U;
-  const std::uint64_t difference = word ^ (kOnes * wanted);
-  return (difference - kOnes) & ~difference & 0x8080808080808080U;
+// Bytes that read_joined_segment may look at, whatever stands there.
+constexpr std::ptrdiff_t kRoomForSegment = 160;
+
+// There, and so short that they, two line breaks and a short point between them take no more.
+bool are_short(std::string_view point, std::string_view attributes) {
+  return point.size() - 1U < 32U && attributes.size() - 1U < 80U;
 }
 
-// The first ';', '#' or line break, eight bytes at a time as long as there are so many.
-const char* end_of_text_field(const char* at, const char* end) {
-  for (; end - at >= 8; at += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, at, sizeof word);
-    const std::uint64_t found = bytes_equal(word, ';') | bytes_equal(word, '#') |
-                                bytes_equal(word, '\n') | bytes_equal(word, '\r');
-    if (found != 0) break;
-  }
-  while (at != end && *at != ';' && *at != '#' && *at != '\n' && *at != '\r') ++at;
-  return at;
+const char* behind_line_break(const char* at) {
+  return at + (*at == '\n' ? 1 : 0);
 }
 
 }  // namespace
 
-/// Walks over the fields of one record. Every function returns false where the text is not plainly
-/// what it should be; the NUL behind the text is neither blank, digit, ';' nor '#'.
-class QuickReader::Cursor {
- public:
-  Cursor(const char* at, const char* end) : at_(at), end_(end) { skip_blanks(); }
+// Only an obstacle's begins with a letter.
+template <class Sink>
+bool QuickReader<Sink>::read_record(const char*& at) {
+  if (read_joined_segment(at)) return true;
+  const FieldCursor cursor(at, end_);
+  if (*cursor.at() == 'o') return sink_.wants_more() && read_obstacle(at);
+  return read_segment(at);
+}
 
-  const char* at() const { return at_; }
+// As most segments are: from the end of the one before it, as high as that one, a line for each
+// point, and long before the end of what is to be read. Others are left to read_segment.
+template <class Sink>
+bool QuickReader<Sink>::read_joined_segment(const char*& at) {
+  if (end_ - at < kRoomForSegment || !are_short(last_end_.bytes, last_.bytes)) return false;
+  const char* const first = behind_line_break(at);
+  if (!detail::are_equal(first, last_end_.bytes, kRoomForSegment)) return false;
+  const char* const second = first + last_end_.bytes.size();
+  Point b;
+  const char* const stop = read_short_point(second, b);
+  if (stop == nullptr) return false;
+  const char* const third = behind_line_break(stop);
+  if (!detail::are_equal(third, last_.bytes, kRoomForSegment)) return false;
+  add_segment(first, last_end_.value, b);
+  last_end_.bytes = {second, static_cast<std::size_t>(third - second)};
+  last_end_.value = b;
+  at = third + last_.bytes.size();
+  return true;
+}
 
-  /// True, and the fields passed, if they are written in just these bytes, up to a ';' or blanks
-  /// behind it.
-  bool same_fields(std::string_view bytes) {
-    if (!same_bytes(bytes)) return false;
-    skip_blanks();
-    return true;
-  }
+template <class Sink>
+void QuickReader<Sink>::add_segment(const char* first, const Point& a, const Point& b) {
+  sink_.segment(offset(first), follows_, a, b, last_.value.height_m, last_.value.in_out,
+                last_.value.semantic);
+}
 
-  /// The same for fields up to the '#' of their record.
-  bool same_record_end(std::string_view bytes) { return same_bytes(bytes); }
-
-  bool point(Point& p) { return number(p.x) && number(p.y); }
-
-  bool number(double& value) {
-    const char* stop = nullptr;
-    if (left() >= static_cast<std::ptrdiff_t>(kShortDecimalBytes)) {
-      stop = read_short_decimal(at_, value);
-    }
-    if (stop == nullptr) stop = any_number(value);
-    return stop != nullptr && field_end(stop);
-  }
-
-  bool integer(std::int64_t& value) {
-    if (left() <= 0) return false;
-    if (left() >= static_cast<std::ptrdiff_t>(kShortDecimalBytes)) {
-      if (const char* const stop = read_short_integer(at_, value)) return field_end(stop);
-    }
-    const auto [stop, error] = std::from_chars(at_, end_, value);
-    return error == std::errc{} && field_end(stop);
-  }
-
-  bool in_out(InOut& value) {
-    if (*at_ != '0' && *at_ != '1') return false;
-    value = *at_ == '0' ? InOut::kIndoor : InOut::kOutdoor;
-    return field_end(at_ + 1);
-  }
-
-  bool keyword(std::string_view word) {
-    if (left() < static_cast<std::ptrdiff_t>(word.size())) return false;
-    if (std::string_view(at_, word.size()) != word) return false;
-    return field_end(at_ + word.size());
-  }
-
-  bool text(std::string_view& value) {
-    if (left() <= 0) return false;
-    const char* const stop = end_of_text_field(at_, end_);
-    value = trimmed({at_, static_cast<std::size_t>(stop - at_)});
-    return field_end(stop);
-  }
-
-  bool record_end() {
-    if (at_ >= end_ || *at_ != '#') return false;
-    ++at_;
-    return true;
-  }
-
- private:
-  /// Not positive where blanks behind the end have been skipped.
-  std::ptrdiff_t left() const { return end_ - at_; }
-
-  bool same_bytes(std::string_view bytes) {
-    if (bytes.empty() || left() < static_cast<std::ptrdiff_t>(bytes.size())) return false;
-    if (std::memcmp(at_, bytes.data(), bytes.size()) != 0) return false;
-    at_ += bytes.size();
-    return true;
-  }
-
-  void skip_blanks() {
-    while (is_blank(*at_)) ++at_;
-  }
-
-  bool field_end(const char* stop) {
-    at_ = stop;
-    if (*at_ != ';') {
-      skip_blanks();
-      if (at_ >= end_ || *at_ != ';') return false;
-    }
-    ++at_;
-    skip_blanks();
-    return true;
-  }
-
-  const char* any_number(double& value) {
-    if (left() <= 0) return nullptr;
-    const auto [stop, error] = std::from_chars(at_, end_, value);
-    if (error != std::errc{} || !std::isfinite(value)) return nullptr;
-    value += 0.0;  // −0 becomes 0
-    return stop;
-  }
-
-  const char* at_;
-  const char* end_;
-};
-
-bool QuickReader::read_segment(const char*& at) {
-  Cursor cursor(at, end_);
+template <class Sink>
+bool QuickReader<Sink>::read_segment(const char*& at) {
+  FieldCursor cursor(at, end_);
   const char* const first = cursor.at();
   Point a = last_end_.value;
   if (!cursor.same_fields(last_end_.bytes) && !cursor.point(a)) return false;
@@ -148,54 +66,62 @@ bool QuickReader::read_segment(const char*& at) {
     if (!read_attributes(cursor)) return false;
     last_.bytes = {third, static_cast<std::size_t>(cursor.at() - third)};
   }
-  last_end_ = {{second, static_cast<std::size_t>(third - second)}, b};
-  const Attributes& attributes = last_.value;
-  builder_.segment(offset(first), follows_, a, b, attributes.height_m, attributes.in_out,
-                   attributes.semantic);
+  last_end_.bytes = {second, static_cast<std::size_t>(third - second)};
+  last_end_.value = b;
+  add_segment(first, a, b);
   at = cursor.at();
   return true;
 }
 
-bool QuickReader::read_attributes(Cursor& cursor) {
+template <class Sink>
+bool QuickReader<Sink>::read_attributes(FieldCursor& cursor) {
   last_.bytes = {};
   std::string_view semantic;
   if (!cursor.number(last_.value.height_m) || !cursor.in_out(last_.value.in_out) ||
       !cursor.text(semantic) || !cursor.record_end()) {
     return false;
   }
-  last_.value.semantic = semantics_.get(semantic);
+  last_.value.semantic = sink_.semantic(semantic);
   return true;
 }
 
-bool QuickReader::read_obstacle(const char*& at) {
-  Cursor cursor(at, end_);
-  ObstacleHeader header;
+template <class Sink>
+bool QuickReader<Sink>::read_obstacle(const char*& at) {
+  FieldCursor cursor(at, end_);
+  PlainHeader& header = sink_.next_header();
   header.offset = offset(cursor.at());
-  std::int64_t id = 0;
   std::int64_t shape_type = 0;
-  std::int64_t declared = 0;
-  if (!cursor.keyword("obstacle") || !cursor.integer(id)) return false;
+  if (!cursor.keyword("obstacle") || !cursor.integer(header.id)) return false;
   header.shape_type_offset = offset(cursor.at());
   if (!cursor.integer(shape_type) || !is_shape_type(shape_type)) return false;
-  header.declared_offset = offset(cursor.at());
-  std::string_view semantic;
-  if (!cursor.integer(declared) || declared < 0 || !cursor.text(semantic)) return false;
-  if (!cursor.record_end()) return false;
-  header.id = id;
   header.shape_type = static_cast<ShapeType>(shape_type);
-  header.declared_segments = declared;
-  header.semantic = semantics_.get(semantic);
-  builder_.obstacle(std::move(header));
+  header.declared_offset = offset(cursor.at());
+  if (!cursor.integer(header.declared_segments) || header.declared_segments < 0) return false;
+  if (!cursor.text(header.semantic) || !cursor.record_end()) return false;
+  sink_.obstacle();
   at = cursor.at();
   return true;
 }
 
-std::size_t QuickReader::read(std::size_t at, std::size_t end) {
+template <class Sink>
+std::size_t QuickReader<Sink>::read(std::size_t at, std::size_t end) {
   const char* position = text_.data() + at;
   end_ = text_.data() + end;
   follows_ = false;
-  while (read_segment(position) || read_obstacle(position)) follows_ = true;
+  while (read_record(position)) follows_ = true;
   return offset(position);
 }
+
+template <class Sink>
+std::size_t QuickReader<Sink>::read_border(std::size_t at, std::size_t end, Border& border) {
+  FieldCursor cursor(text_.data() + at, text_.data() + end);
+  const bool is_plain = cursor.keyword("border") && cursor.number(border.left) &&
+                        cursor.number(border.top) && cursor.number(border.right) &&
+                        cursor.number(border.bottom) && cursor.record_end();
+  return is_plain ? offset(cursor.at()) : at;
+}
+
+template class QuickReader<MapSink>;
+template class QuickReader<ObstacleSink>;
 
 }  // namespace mapwright::text

@@ -22,8 +22,8 @@ std::size_t first_character(std::string_view text) {
   return at;
 }
 
-// Reads a text piece by piece: of each piece first the lines and the encoding, then the records that
-// end in it, while it is in the processor's cache. What has been read is let go.
+// Reads a text piece by piece: of each piece first the lines and the encoding, then the records
+// that end in it, while it is in the processor's cache. What has been read is let go.
 class PieceReader {
  public:
   PieceReader(MapDocument& document, Defects& defects)
@@ -31,15 +31,17 @@ class PieceReader {
         text_(document.text.view()),
         defects_(defects),
         builder_(document, defects),
-        quick_(text_, builder_, semantics_),
+        sink_(builder_, semantics_),
+        quick_(text_, sink_),
         end_(text_.size()),
         first_(first_character(text_)),
         at_(first_) {}
 
-  void read() {
+  void read(const Progress& progress) {
     while (seen_ < text_.size()) {
       look_at_next_piece();
       read_whole_records();
+      if (progress) progress(seen_ >> 10U, text_.size() >> 10U);
     }
     if (end_ > 0) builder_.finish(first_);
   }
@@ -93,7 +95,8 @@ class PieceReader {
   Defects& defects_;
   text::SemanticCache semantics_;
   text::MapBuilder builder_;
-  text::QuickReader quick_;
+  text::MapSink sink_;
+  text::QuickReader<text::MapSink> quick_;
   std::size_t end_;        // of what is text
   std::size_t first_;      // character that is not blank
   std::size_t seen_ = 0;   // looked at
@@ -104,7 +107,7 @@ class PieceReader {
 
 }  // namespace
 
-MapDocument read_map(MapText text) {
+MapDocument read_map(MapText text, const Progress& progress) {
   MapDocument document;
   document.text = std::move(text);
   const std::string_view all = document.text;
@@ -113,7 +116,7 @@ MapDocument read_map(MapText text) {
     document.index = TextIndex(all);
     defects.add(FindingCode::F101, 0, "the file is empty; a map has at least a border record");
   } else {
-    PieceReader(document, defects).read();
+    PieceReader(document, defects).read(progress);
   }
   document.findings = std::move(defects).findings(all, document.index);
   return document;

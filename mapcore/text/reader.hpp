@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "mapcore/progress.hpp"
 #include "mapcore/text/document.hpp"
 
 namespace mapwright {
@@ -13,6 +14,8 @@ namespace mapwright {
 /// '#', and the document's map holds all records that could be understood. LF, CRLF and a UTF-8
 /// byte order mark are read; numbers have '.' as decimal point in every locale. A declared segment
 /// count is compared, never trusted: memory is bounded by the size of the text.
-MapDocument read_map(MapText text);
+///
+/// `progress` counts KiB of the text.
+MapDocument read_map(MapText text, const Progress& progress = {});
 
 }  // namespace mapwright

@@ -15,7 +15,8 @@ inline constexpr double kSharp = 0.18;
 /// other (G104 tells of those).
 inline bool is_sharp(Point u, Point v) {
   const double along = dot(u, v), across = std::abs(cross(u, v));
-  return !(along <= 0.0 || across == 0.0 || across > kSharp * along);
+  // First what nearly always tells: at right angles the sign of `along` is anybody's guess.
+  return !(across > kSharp * along) && !(along <= 0.0) && across != 0.0;
 }
 
 /// Distance between the arms of a corner where the shorter one ends; infinite where they open wide

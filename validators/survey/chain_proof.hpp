@@ -39,24 +39,31 @@ class ChainProver {
     Box box;
   };
 
-  void take_ends(std::span<const Segment> segments);
+  /// What a walk over the corners shows. Each `true` is proven.
+  struct Corners {
+    bool turn_left_once = false;  ///< a convex polygon
+    bool part = true;             ///< edges have no more than their corner in common
+    bool are_blunt = true;        ///< none is as sharp as a spike's
+  };
+
   bool is_sound_ring() const;
-  bool turns_left_once() const;
   bool is_monotone() const;
-  bool neighbours_part() const;
-  bool corner_parts(Point before, Point corner, Point after) const;
+  Corners look_at_corners(bool is_closed) const;
   bool distant_edges_part(bool is_closed);
-  bool has_no_spike(bool is_closed) const;
   bool edges_part(std::size_t i, std::size_t j) const;
   template <class MayMeet>
   bool no_pair_meets(const MayMeet& may_meet);
+  template <class MayMeet>
+  bool no_pair_meets(const Block& p, const Block& q, const MayMeet& may_meet) const;
   void make_blocks();
 
-  std::size_t edges() const { return starts_.size(); }
+  std::size_t edges() const { return segments_.size(); }
+  Point start(std::size_t i) const { return segments_[i].a; }
+  Point end(std::size_t i) const { return segments_[i].b; }
 
   double sliver_width_m_;
-  std::vector<Point> starts_, ends_;  // of the segments
-  std::vector<Box> boxes_;            // of the segments
+  std::span<const Segment> segments_;  // looked at now
+  std::vector<Box> boxes_;             // of the segments
   std::vector<Block> blocks_;
 };
 

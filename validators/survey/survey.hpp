@@ -57,7 +57,8 @@ class Survey {
   bool names_may_repeat() const { return names_may_repeat_; }
 
  private:
-  class Surveyor;
+  friend class Surveyor;
+  Survey() = default;
   void doubt_everything(const Map& map);
 
   std::array<Positions, kDoubts> in_doubt_;

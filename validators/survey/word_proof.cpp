@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "mapcore/text/byte_counts.hpp"
 #include "validators/characters.hpp"
 #include "validators/vocabulary.hpp"
 
@@ -27,13 +28,18 @@ std::string_view trimmed(std::string_view text) {
 
 // Answers `judge(word)`, from memory where it can.
 template <class Judge>
-bool remembered(std::unordered_map<std::string_view, bool>& words, std::string_view word,
-                const Judge& judge) {
+bool remembered(WordSet& words, std::string_view word, const Judge& judge) {
   const auto found = words.find(word);
   if (found != words.end()) return found->second;
   const bool answer = judge(word);
-  if (words.size() < kMostWords) words.emplace(word, answer);
+  if (words.size() < kMostWords) words.emplace(std::string(word), answer);
   return answer;
+}
+
+// All of a token behind its '='.
+bool is_plain_value(std::string_view text) {
+  return text.front() != ' ' && text.back() != ' ' && text.find(',') == text.npos &&
+         text::is_printable_ascii(text);
 }
 
 std::size_t slot_of(const char* text, std::size_t slots) {
@@ -44,18 +50,48 @@ std::size_t slot_of(const char* text, std::size_t slots) {
 
 }  // namespace
 
+std::optional<Words> WordPattern::words_of(std::string_view semantic) const {
+  if (text_.empty() || !semantic.starts_with(text_)) return std::nullopt;
+  const auto name = semantic.substr(text_.size());
+  if (name.empty() == ends_with_name_) return std::nullopt;
+  Words words;
+  words.are_sound = true;
+  words.have_name = ends_with_name_;
+  words.name = name;
+  if (ends_with_name_ && !is_plain_value(name)) return std::nullopt;
+  return words;
+}
+
+void WordPattern::learn(std::string_view semantic, const Words& words) {
+  text_.clear();
+  if (!words.are_sound || words.have_outer || words.have_source || !words.level.empty()) return;
+  ends_with_name_ = words.have_name;
+  if (!words.have_name) {
+    text_ = semantic;
+  } else if (words.name.data() + words.name.size() == semantic.data() + semantic.size()) {
+    text_ = semantic.substr(0, semantic.size() - words.name.size());
+  }
+}
+
 bool WordProver::are_sound(const Semantic& semantic) {
   const std::string_view text = semantic.view();
   Known& known = known_[slot_of(text.data(), kKnown)];
-  if (known.text == text.data()) return known.is_sound;
+  if (known.text.view().data() == text.data()) return known.is_sound;
   // An empty string is a defect of obstacles alone.
-  known = {text.data(), text.empty() || words_of(semantic).are_sound};
+  known = {semantic, text.empty() || words_of(text).are_sound};
   return known.is_sound;
 }
 
-Words WordProver::words_of(const Semantic& semantic) {
+Words WordProver::words_of(std::string_view semantic) {
+  if (const auto words = pattern_.words_of(semantic)) return *words;
+  const Words words = judged(semantic);
+  pattern_.learn(semantic, words);
+  return words;
+}
+
+Words WordProver::judged(std::string_view semantic) {
   Words words;
-  std::string_view rest = semantic.view();
+  std::string_view rest = semantic;
   words.are_sound = !unreadable_part(rest);
   known_keys_ = 0;
   bool says_something = false;
@@ -87,6 +123,7 @@ bool WordProver::add_token(std::string_view token, Words& words) {
   }
   if (key == semantic_key::kLevel) words.level = value;
   if (key == semantic_key::kInnerOf) words.have_outer = true;
+  if (key == semantic_key::kSource) words.have_source = true;
   return is_first && !value.empty();
 }
 
@@ -105,7 +142,8 @@ bool WordProver::is_sound_label(std::string_view label) {
 
 void NameSet::add(std::string_view name, std::string_view level) {
   const std::hash<std::string_view> hash;
-  const std::uint64_t key = std::max<std::uint64_t>(1, hash(name) ^ std::rotl(hash(level), 31));
+  const std::uint64_t key =
+      std::max<std::uint64_t>(1, hash(name) ^ (level.empty() ? 0 : std::rotl(hash(level), 31)));
   if (2 * (count_ + kWaiting) > slots_.size()) grow();
   __builtin_prefetch(&slots_[key & (slots_.size() - 1)]);
   const std::uint64_t waited = std::exchange(waiting_[count_++ % kWaiting], key);

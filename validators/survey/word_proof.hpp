@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,34 +17,62 @@ namespace mapwright::validators {
 
 /// What a semantic string holds.
 struct Words {
-  bool are_sound = false;   ///< proven: S104, S123 and S124 are silent, for an obstacle S103 too
-  bool have_name = false;   ///< a token name=..., maybe an empty one
-  bool have_outer = false;  ///< a token inner_of=...
+  bool are_sound = false;    ///< proven: S104, S123 and S124 are silent, for an obstacle S103 too
+  bool have_name = false;    ///< a token name=..., maybe an empty one
+  bool have_outer = false;   ///< a token inner_of=...
+  bool have_source = false;  ///< a token source=...
   std::string_view name, level;  ///< values, where they are sound
 };
 
-/// Judges one string after another; remembers words it has met, and where the last strings lie. The
-/// strings must outlive it.
+/// Words, and whether they are sound.
+struct WordHash {
+  using is_transparent = void;
+  std::size_t operator()(std::string_view word) const {
+    return std::hash<std::string_view>()(word);
+  }
+};
+using WordSet = std::unordered_map<std::string, bool, WordHash, std::equal_to<>>;
+
+/// The last sound string, without its name where it ends with one: those that follow are mostly the
+/// same, or the same with another name.
+class WordPattern {
+ public:
+  /// Nothing where the string is another one.
+  std::optional<Words> words_of(std::string_view semantic) const;
+
+  void learn(std::string_view semantic, const Words& words);
+
+ private:
+  std::string text_;  // empty: none
+  bool ends_with_name_ = false;
+};
+
+/// Judges one string after another; remembers words it has met, and the last strings that many
+/// share.
 class WordProver {
  public:
-  Words words_of(const Semantic& semantic);
+  /// The answer lasts as long as the string.
+  Words words_of(std::string_view semantic);
 
   /// The same, for strings that many share: known by where they lie.
   bool are_sound(const Semantic& semantic);
 
  private:
+  Words judged(std::string_view semantic);
   bool is_sound_key(std::string_view key);
   bool is_sound_label(std::string_view label);
   bool add_token(std::string_view token, Words& words);
 
+  // Held, so that no other string comes to lie there.
   struct Known {
-    const char* text = nullptr;
+    Semantic text;
     bool is_sound = true;
   };
   static constexpr std::size_t kKnown = 256;
 
-  std::unordered_map<std::string_view, bool> labels_, keys_;  // is sound
-  std::string_view last_label_;                               // a sound one
+  WordPattern pattern_;  // of the strings of obstacles, and of segments that differ from theirs
+  WordSet labels_, keys_;
+  std::string last_label_;  // a sound one
   std::array<Known, kKnown> known_;
   unsigned known_keys_ = 0;  // of the string under way: a bit each
 };

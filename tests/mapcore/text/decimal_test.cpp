@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mapcore/random.hpp"
+#include "mapcore/text/short_point.hpp"
 
 namespace mapwright::text {
 namespace {
@@ -59,6 +60,47 @@ TEST(ShortDecimal, EqualsFromCharsBitForBit) {
     ASSERT_TRUE(*end == ';' || *end == 'e' || *end == '.') << text;
   }
   EXPECT_GT(taken, 1'000'000U);
+}
+
+TEST(ShortPoint, EqualsItsTwoNumbersBitForBit) {
+  Random random(31);
+  std::size_t taken = 0;
+  for (int i = 0; i < 1'000'000; ++i) {
+    const std::string x = random_decimal(random), y = random_decimal(random);
+    std::string padded = x + ";" + y + ";";
+    const std::size_t size = padded.size();
+    padded.resize(size + kShortPointBytes, "9;.-"[random.below(4)]);
+    Point point;
+    const char* const end = read_short_point(padded.data(), point);
+    if (end == nullptr) continue;
+    ++taken;
+    ASSERT_EQ(end, padded.data() + size) << padded;
+    ASSERT_EQ(bits(point.x), bits(read_number(x).value)) << padded;
+    ASSERT_EQ(bits(point.y), bits(read_number(y).value)) << padded;
+  }
+#if defined(__SSE2__)
+  EXPECT_GT(taken, 30'000U);
+#endif
+}
+
+// Of two, three and more digits, and each shape that is nearly one.
+TEST(ShortPoint, TakesPlainDecimalsOnly) {
+  const auto is_taken = [](std::string text) {
+    text.resize(text.size() + kShortPointBytes, '#');
+    Point point;
+    return read_short_point(text.data(), point) != nullptr;
+  };
+#if defined(__SSE2__)
+  EXPECT_TRUE(is_taken("0.5;-1.25;"));
+  EXPECT_TRUE(is_taken("-12345.678;1.2345678;"));
+  EXPECT_TRUE(is_taken("1234567.8;-0.0;"));
+#endif
+  for (const char* text :
+       {"5;1.5;", "1.5;5;", ".5;1.5;", "5.;1.5;", "1.5;.5;", "--1.5;1.5;", "1.5;-;", "1.5 ;1.5;",
+        "1.5; 1.5;", "1.5;1.5", "1.5;1.5#", "123456.789;1.5;", "1.5;12345.6789;", "1.5e3;1.5;",
+        "+1.5;1.5;", "1-5;1.5;", "1.5;1.5.5;", "1.5,1.5;", ";;", "", "1.5;\n1.5;"}) {
+    EXPECT_FALSE(is_taken(text)) << text;
+  }
 }
 
 TEST(Number, EqualsStrtodBitForBit) {
