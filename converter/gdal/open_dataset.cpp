@@ -43,8 +43,8 @@ constexpr const char* kOpenOptions[] = {"NOLOCK=YES",
 
 // SQLite reads databases out of memory that the system maps, without copying page after page: a
 // tenth of the time of reading a GeoPackage. Should the file be cut short meanwhile, the process
-// that reads it ends, which is told as any crash of a driver is. What the person who converts has
-// set counts.
+// that reads it may end, which is told as any crash of a driver is. What the person who converts
+// has set counts.
 class MappedDatabases {
  public:
   MappedDatabases() {
