@@ -25,7 +25,6 @@ class ObstacleSink {
       : text_bytes_(text_bytes), visit_(visit) {}
 
   bool wants_more() const { return is_plain_ && is_wanted_; }
-  bool is_plain() const { return is_plain_; }
 
   const Semantic& semantic(std::string_view text) {
     look_at_characters(text);

@@ -61,14 +61,25 @@ std::string said(const std::vector<std::string>& arguments, bool is_terminal) {
   return err.str();
 }
 
+// Sheds in rows, in metres; enough of them for a map of several pieces.
+std::string drawing_of_sheds() {
+  std::string features;
+  for (int i = 0; i < 3600; ++i) {
+    const auto at = [&](int dx, int dy) {
+      return "[" + std::to_string(10 * (i % 60) + dx) + "," + std::to_string(10 * (i / 60) + dy) +
+             "]";
+    };
+    features += std::string(i > 0 ? "," : "") +
+                R"({"type":"Feature","properties":{"height":3},"geometry":{"type":"Polygon",)" +
+                R"("coordinates":[[)" + at(0, 0) + "," + at(2, 0) + "," + at(2, 2) + "," +
+                at(0, 2) + "," + at(0, 0) + "]]}}";
+  }
+  return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+}
+
 TEST(ValidatedMap, HasABarOnATerminal) {
   const TemporaryFolder folder;
-  // Two sheds upon each other, in metres.
-  const auto drawing = folder.file("site.geojson", R"({"type":"FeatureCollection","features":[
-    {"type":"Feature","properties":{"height":3},"geometry":{"type":"Polygon",
-     "coordinates":[[[0,0],[2,0],[2,2],[0,2],[0,0]]]}},
-    {"type":"Feature","properties":{"height":3},"geometry":{"type":"Polygon",
-     "coordinates":[[[1,1],[3,1],[3,3],[1,3],[1,1]]]}}]})");
+  const auto drawing = folder.file("site.geojson", drawing_of_sheds());
   const std::vector<std::string> arguments{"convert", drawing, "--local", "-o",
                                            folder.path("map.txt")};
   EXPECT_NE(said(arguments, true).find("validating ["), std::string::npos);
