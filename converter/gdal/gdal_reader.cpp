@@ -177,7 +177,11 @@ class GdalReader : public SourceReader {
       if (!holds_styles(*layer)) handles_.push_back(layer);
     }
     if (std::filesystem::is_directory(input.path)) sort_by_name(handles_);
-    for (auto* layer : handles_) layers_.push_back(info_of(*layer));
+    for (auto* layer : handles_) {
+      auto& info = layers_.emplace_back(info_of(*layer));
+      const auto& bare = opened_.bare_layers;
+      info.lacks_attributes = std::find(bare.begin(), bare.end(), info.name) != bare.end();
+    }
   }
 
   const std::string& driver() const override { return driver_; }

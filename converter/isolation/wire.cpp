@@ -131,6 +131,7 @@ void put(WireWriter& wire, const std::vector<LayerInfo>& layers) {
     put_crs(wire, layer.crs);
     wire.put(layer.declared_features);
     wire.put(layer.metres_per_local_unit);
+    wire.put(layer.lacks_attributes);
     wire.put(layer.storey);
     wire.put(layer.chains_lines);
   }
@@ -147,6 +148,7 @@ void get(WireReader& wire, std::vector<LayerInfo>& layers) {
     get_crs(wire, layer.crs);
     wire.get(layer.declared_features);
     wire.get(layer.metres_per_local_unit);
+    wire.get(layer.lacks_attributes);
     wire.get(layer.storey);
     wire.get(layer.chains_lines);
   }

@@ -300,6 +300,10 @@ bool LayerConverter::keeps(const SourceFeature& feature, std::size_t account) {
 
 void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t account) {
   auto& ledger = workspace_.ledger;
+  if (job_.loses_attributes) {
+    ledger.change(account, FindingCode::C231,
+                  "the .dbf file with its height, type and name is missing: defaults stand in");
+  }
   for (const auto& value : meaning_.unreadable) {
     ledger.change(account, FindingCode::C219, value + " is no quantity and was passed over");
   }
