@@ -7,6 +7,7 @@
 #include <set>
 
 #include "converter/detective/doubts.hpp"
+#include "converter/detective/unstated_crs.hpp"
 #include "converter/frame/frame_wkt.hpp"
 #include "converter/pipeline/assembly.hpp"
 #include "converter/pipeline/chained_lines.hpp"
@@ -143,10 +144,11 @@ void append_doubts(const OpenedSources& sources, std::vector<std::string>& warni
     if (doubted.count({job.source, job.crs.wkt}) > 0) continue;
     const auto extent = job.source->extent(job.layer);
     if (!extent || !*extent) continue;
-    if (const auto doubt = doubt_about_place(job.crs, **extent)) {
-      warnings.push_back(job.source->path() + ": layer " + job.info().name + " " + *doubt);
-      doubted.insert({job.source, job.crs.wkt});
-    }
+    auto doubt = doubt_about_place(job.crs, **extent);
+    if (!doubt) doubt = doubt_about_stated_metres(*job.source, job.crs, **extent);
+    if (!doubt) continue;
+    warnings.push_back(job.source->path() + ": layer " + job.info().name + " " + *doubt);
+    doubted.insert({job.source, job.crs.wkt});
   }
 }
 
@@ -219,6 +221,8 @@ Result<Conversion> convert(const ConvertOptions& given) {
   conversion.georeference = *std::move(georeference);
   conversion.ledger = std::move(workspace.ledger);
   conversion.warnings = warnings_of(options, **sources, conversion.georeference, conversion.map);
+  conversion.warnings.insert(conversion.warnings.end(), workspace.warnings.begin(),
+                             workspace.warnings.end());
   assert(balances(conversion.ledger));
   return conversion;
 }

@@ -88,6 +88,12 @@ Result<void> LayerConverter::run() {
                          ": longitude and latitude look exchanged (right angles are right only the "
                          "other way round): use --swap-axes");
   }
+  if (suspicion_.is_doubtful()) {
+    workspace_.warnings.push_back(
+        job_.source->path() + ": layer " + job_.info().name +
+        ": longitude and latitude may be exchanged: most of its corners are right angles only the "
+        "other way round; if they are, --swap-axes");
+  }
   ramps_.finish();
   return {};
 }
