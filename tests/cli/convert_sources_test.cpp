@@ -52,6 +52,21 @@ TEST_F(Sources, TablesNameTheirColumnOfShapesInManyWays) {
   EXPECT_NE(none.err.find("no column of it holds shapes"), std::string::npos) << none.err;
 }
 
+// Nothing in such a file separates columns, so that it does not look like a table.
+TEST_F(Sources, TablesMayBeASingleColumnOfShapes) {
+  const std::string quoted = "\"" + std::string(kSquare) + "\"";
+  for (const std::string& text :
+       {"WKT\n" + quoted + "\n\"LINESTRING(10 0,12 3)\"\n",
+        "\xef\xbb\xbf\"geom\"\r\n" + quoted + "\r\n\"LINESTRING(10 0,12 3)\"\r\n",
+        "wkt_geom\n" + std::string(kSquare) + "\nLINESTRING(10 0,12 3)"}) {
+    const auto done = convert("a.csv", text);
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(map().obstacles.size(), 2U) << text;
+  }
+  EXPECT_EQ(convert("a.csv", "WKT\n\"POLYGON((0 0,4 0,4\n").status, 3);
+  EXPECT_EQ(convert("a.csv", "town\nDresden\n").status, 3);
+}
+
 TEST_F(Sources, ATableThatWasCutShortIsRefused) {
   const std::string whole = std::string("id,WKT\n1,\"") + kSquare + "\"\n2,\"" + kSquare + "\"\n";
   const auto cut = convert("a.csv", whole.substr(0, whole.size() - 12));
