@@ -143,6 +143,7 @@ void put(WireWriter& wire, const std::vector<LayerInfo>& layers) {
     wire.put(layer.declared_features);
     wire.put(layer.metres_per_local_unit);
     wire.put(layer.lacks_attributes);
+    wire.put(layer.is_view);
     wire.put(layer.storey);
     wire.put(layer.chains_lines);
   }
@@ -160,6 +161,7 @@ void get(WireReader& wire, std::vector<LayerInfo>& layers) {
     wire.get(layer.declared_features);
     wire.get(layer.metres_per_local_unit);
     wire.get(layer.lacks_attributes);
+    wire.get(layer.is_view);
     wire.get(layer.storey);
     wire.get(layer.chains_lines);
   }

@@ -1,5 +1,6 @@
 #include "converter/pipeline/convert.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
@@ -152,6 +153,21 @@ void append_doubts(const OpenedSources& sources, std::vector<std::string>& warni
   }
 }
 
+// A view beside the tables it shows would make each of their features two obstacles.
+void append_views(const OpenedSources& sources, std::vector<std::string>& warnings) {
+  for (const auto& job : sources.jobs) {
+    const auto is_table = [&](const LayerJob& other) {
+      return other.source == job.source && !other.info().is_view;
+    };
+    if (!job.info().is_view || std::none_of(sources.jobs.begin(), sources.jobs.end(), is_table)) {
+      continue;
+    }
+    warnings.push_back(job.source->path() + ": layer " + job.info().name +
+                       " is a view: what it shows of the other layers comes twice; --layer picks "
+                       "those to convert");
+  }
+}
+
 std::vector<std::string> warnings_of(const ConvertOptions& options, const OpenedSources& sources,
                                      const std::optional<Georeference>& georeference,
                                      const ConvertedMap& map) {
@@ -165,6 +181,7 @@ std::vector<std::string> warnings_of(const ConvertOptions& options, const Opened
                          job.info().crs.title() + "; with --local its coordinates count as metres");
     }
   }
+  append_views(sources, warnings);
   append_doubts(sources, warnings);
   const auto latitude =
       georeference ? std::optional(georeference->origin_latitude_deg) : std::nullopt;
