@@ -29,14 +29,15 @@ Result<fs::path> link_shapefiles(const fs::path& path, const fs::path& folder) {
   std::error_code error;
   const bool is_folder = fs::is_directory(path, error);
   const auto place = fs::absolute(is_folder ? path : path.parent_path() / ".", error);
-  for (const auto& entry : fs::directory_iterator(place, error)) {
+  fs::directory_iterator entries(place, error);
+  if (error) return tl::unexpected(no_link(place, error));
+  for (const auto& entry : entries) {
     const auto& file = entry.path();
-    if (!is_folder && file.stem() != path.stem()) continue;
-    if (!entry.is_regular_file(error)) continue;
+    std::error_code no_file;  // a link that leads nowhere
+    if ((!is_folder && file.stem() != path.stem()) || !entry.is_regular_file(no_file)) continue;
     fs::create_symlink(file, folder / file.filename(), error);
     if (error) return tl::unexpected(no_link(file, error));
   }
-  if (error) return tl::unexpected(no_link(place, error));
   return is_folder ? folder : folder / path.filename();
 }
 

@@ -136,6 +136,7 @@ TEST_F(BadInput, FolderWithAShapefileWithoutShx) {
     fs::copy(folder_.path(std::string("walls.") + part),
              folder_.path(std::string("site/walls.") + part));
   }
+  fs::create_symlink("nowhere", folder_.path("site/zzz.shx"));
   const auto made = run({"convert", folder_.path("site"), "-o", folder_.path("map.txt")});
   EXPECT_EQ(made.status, 0) << made.err;
   EXPECT_NE(made.err.find("site/walls.shp: its .shx file is missing"), std::string::npos);
