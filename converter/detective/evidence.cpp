@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kMostEdges = 20000;
 constexpr std::size_t kMostSteps = 2000;
+constexpr double kLeastWall = 0.5, kLongestWall = 100.0;
+constexpr double kRoundStep = 0.05, kRoundSlack = 0.002;
 constexpr double kRightAngleSlack = 0.026;  // cosine; 1.5°
 
 const std::vector<std::string> kStepNames{"*step*",   "*stair*", "*escal*",  "*esglao*", "*grao*",
@@ -102,8 +104,12 @@ void EvidenceCollector::add(const std::string& layer, const SourceGeometry& geom
 void EvidenceCollector::add_edges(const SourceGeometry& geometry, const SourcePath& path) {
   for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
     if (edges_.size() >= kMostEdges) return;
-    edges_.push_back(
-        std::hypot(geometry.xs[i] - geometry.xs[i - 1], geometry.ys[i] - geometry.ys[i - 1]));
+    const double edge =
+        std::hypot(geometry.xs[i] - geometry.xs[i - 1], geometry.ys[i] - geometry.ys[i - 1]);
+    edges_.push_back(edge);
+    if (edge < kLeastWall || edge > kLongestWall) continue;
+    ++found_.measured_edges;
+    found_.round_edges += std::abs(std::remainder(edge, kRoundStep)) < kRoundSlack;
   }
 }
 

@@ -16,6 +16,8 @@ namespace mapwright::converter {
 struct DrawingEvidence {
   Box extent = kEmptyBox;
   std::optional<double> edge;          ///< median length of straight edges
+  std::size_t measured_edges = 0;      ///< straight ones of the length of walls
+  std::size_t round_edges = 0;         ///< of them multiples of 0.05, to 0.002
   std::optional<double> tread;         ///< median distance of neighbouring step lines
   std::optional<double> door;          ///< median length of doors
   std::size_t corners = 0;             ///< looked at

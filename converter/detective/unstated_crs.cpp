@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "converter/detective/crs_guesses.hpp"
+#include "converter/detective/web_mercator.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -86,6 +87,16 @@ std::vector<Neighbour> neighbours_of(const std::vector<std::unique_ptr<VectorSou
 std::string crs_advice(const std::vector<std::unique_ptr<VectorSource>>& sources) {
   const auto evidence = evidence_of(sources);
   return guesses_text(evidence, guess_crs(evidence, neighbours_of(sources)));
+}
+
+std::optional<std::string> doubt_about_stated_metres(VectorSource& source, const Crs& crs,
+                                                     const Box& extent) {
+  if (!may_be_utm(crs, extent)) return std::nullopt;
+  EvidenceCollector collector;
+  for (std::size_t i = 0; i < source.layers().size() && i < kMostLayers; ++i) {
+    if (has_places(source.layers()[i])) collect(source, i, collector);
+  }
+  return doubt_about_web_mercator(extent, collector.evidence());
 }
 
 std::string crs_advice_instead(VectorSource& source, std::size_t layer) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,13 @@ namespace mapwright::converter {
 /// shapefiles beside them.
 std::string crs_advice(const std::vector<std::unique_ptr<VectorSource>>& sources);
 
-/// The same for one layer that states degrees and has other coordinates, as GeoJSON files of
-/// exports do that do not know better.
+/// What speaks against a stated Web Mercator: `doubt_about_web_mercator` for a layer, with the
+/// evidence of all layers of its source. Nothing where its numbers cannot be another CRS's.
+std::optional<std::string> doubt_about_stated_metres(VectorSource& source, const Crs& crs,
+                                                     const Box& extent);
+
+/// The same as `crs_advice` for one layer that states degrees and has other coordinates, as GeoJSON
+/// files of exports do that do not know better.
 std::string crs_advice_instead(VectorSource& source, std::size_t layer);
 
 }  // namespace mapwright::converter

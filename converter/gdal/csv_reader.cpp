@@ -1,6 +1,7 @@
 #include "converter/gdal/csv_reader.hpp"
 
 #include <cpl_string.h>
+#include <cpl_vsi.h>
 #include <ogr_geometry.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "converter/gdal/geometry_paths.hpp"
 #include "converter/gdal/messages.hpp"
+#include "converter/gdal/stored_file.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -103,6 +105,39 @@ class CsvReader : public SourceReader {
   std::vector<std::string> warnings_;
 };
 
+// A table that is a single column of shapes has no separator that would tell GDAL that it is one.
+bool is_single_column(const std::string& content) {
+  std::string name = content.substr(0, content.find_first_of("\r\n"));
+  if (name.starts_with("\xef\xbb\xbf")) name.erase(0, 3);
+  std::erase(name, '"');
+  return is_shape_column(name);
+}
+
+// Begins a second column in the header of a copy in memory. Tabs separate, because well-known text
+// need not be in quotes where nothing else could be meant by its commas.
+Result<GdalInput> with_second_column(const GdalInput& input, std::string content) {
+  content.insert(std::min(content.find_first_of("\r\n"), content.size()), "\t");
+  GdalInput copy = input;
+  copy.path = "/vsimem/single_column/" + std::filesystem::path(input.path).filename().string();
+  auto* file = VSIFOpenL(copy.path.c_str(), "wb");
+  const bool complete =
+      file != nullptr && VSIFWriteL(content.data(), 1, content.size(), file) == content.size();
+  if (file != nullptr) VSIFCloseL(file);
+  if (complete) return copy;
+  return input_failure(input.title + ": there is no memory for a copy of it");
+}
+
+constexpr std::size_t kLongestHeader = 64;
+
+// What GDAL can read as a table.
+Result<GdalInput> readable_table(const GdalInput& input) {
+  std::string start(kLongestHeader, '\0');
+  start.resize(StoredFile(input.path).read(0, start.data(), start.size()));
+  if (!is_single_column(start)) return input;
+  auto content = stored_content(input.path);
+  return content ? with_second_column(input, *std::move(content)) : Result<GdalInput>(input);
+}
+
 }  // namespace
 
 bool is_csv(const std::string& path) {
@@ -110,7 +145,9 @@ bool is_csv(const std::string& path) {
 }
 
 OpenedReader open_csv(const GdalInput& input, const DriverNotice& notice) {
-  auto table = open_gdal(input, notice);
+  const auto readable = readable_table(input);
+  if (!readable) return tl::unexpected(readable.error());
+  auto table = open_gdal(*readable, notice);
   if (!table || (*table)->driver() != "CSV") return table;
   return std::make_unique<CsvReader>(input.title, *std::move(table));
 }

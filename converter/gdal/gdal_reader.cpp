@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "converter/gdal/column_reader.hpp"
 #include "converter/gdal/crs_of.hpp"
@@ -46,6 +47,18 @@ LayerInfo info_of(OGRLayer& layer) {
 // A table in which QGIS keeps how layers look: nothing that was drawn.
 bool holds_styles(OGRLayer& layer) {
   return std::string_view(layer.GetName()) == "layer_styles" && layer.GetGeomType() == wkbNone;
+}
+
+// Names of a GeoPackage's views.
+std::set<std::string> views_of(GDALDataset& dataset) {
+  std::set<std::string> views;
+  if (std::string_view(dataset.GetDriverName()) != "GPKG") return views;
+  auto* names =
+      dataset.ExecuteSQL("SELECT name FROM sqlite_master WHERE type = 'view'", nullptr, nullptr);
+  if (names == nullptr) return views;
+  for (const auto& row : *names) views.emplace(row->GetFieldAsString(0));
+  dataset.ReleaseResultSet(names);
+  return views;
 }
 
 // Files of a folder come in no order of their own.
@@ -177,7 +190,13 @@ class GdalReader : public SourceReader {
       if (!holds_styles(*layer)) handles_.push_back(layer);
     }
     if (std::filesystem::is_directory(input.path)) sort_by_name(handles_);
-    for (auto* layer : handles_) layers_.push_back(info_of(*layer));
+    const auto views = views_of(*opened_.dataset);
+    for (auto* layer : handles_) {
+      auto& info = layers_.emplace_back(info_of(*layer));
+      info.is_view = views.count(info.name) > 0;
+      const auto& bare = opened_.bare_layers;
+      info.lacks_attributes = std::find(bare.begin(), bare.end(), info.name) != bare.end();
+    }
   }
 
   const std::string& driver() const override { return driver_; }

@@ -9,18 +9,49 @@
 #include "converter/gdal/messages.hpp"
 #include "converter/gdal/private_copy.hpp"
 #include "converter/gdal/shapefile_check.hpp"
+#include "converter/gdal/shapefile_index.hpp"
 
 namespace mapwright::converter {
 namespace {
 
-Result<std::vector<std::string>> check_shapefiles(const std::string& path) {
-  std::vector<std::string> warnings;
-  for (const auto& shp : shapefiles_of(path)) {
-    auto checked = check_shapefile(shp);
-    if (!checked) return checked;
-    warnings.insert(warnings.end(), checked->begin(), checked->end());
+namespace fs = std::filesystem;
+
+// What GDAL reads: the source, or a private stand-in for it.
+Result<fs::path> readable_path(const GdalInput& input) {
+  if (input.folder.empty()) return fs::path(input.path);
+  return wants_index(input.path) ? link_shapefiles(input.path, input.folder)
+                                 : copy_database(input.path, input.folder);
+}
+
+std::string title_of(const GdalInput& input, const fs::path& shp) {
+  return fs::is_directory(input.path)
+             ? (fs::path(input.path) / shp.filename()).string()
+             : fs::path(input.title).replace_extension(shp.extension()).string();
+}
+
+// Files in memory are private already: they were unpacked from an archive.
+bool is_private(const GdalInput& input) {
+  return !input.folder.empty() || input.path.starts_with("/vsimem/");
+}
+
+Result<void> check_shapefiles(const GdalInput& input, const fs::path& readable,
+                              OpenedDataset& opened) {
+  for (const auto& shp : shapefiles_of(readable)) {
+    const auto title = title_of(input, shp);
+    if (auto sound = check_shapes(shp, title); !sound) return sound;
+    if (lacks_index(shp) && is_private(input)) {
+      if (auto made = make_index(shp, title); !made) return made;
+      opened.warnings.push_back(title +
+                                ": its .shx file is missing: a new index was made from its shapes, "
+                                "and kept apart from the source");
+    }
+    auto checked = check_shapefile(shp, title);
+    if (!checked) return tl::unexpected(checked.error());
+    opened.warnings.insert(opened.warnings.end(), checked->warnings.begin(),
+                           checked->warnings.end());
+    if (checked->lacks_table) opened.bare_layers.push_back(shp.stem().string());
   }
-  return warnings;
+  return {};
 }
 
 std::vector<const char*> null_terminated(const std::vector<std::string>& texts) {
@@ -82,22 +113,19 @@ std::string refusal(const GdalInput& input, const GdalMessages& messages, bool i
 }  // namespace
 
 Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& notice) {
-  auto shapefile_warnings = check_shapefiles(input.path);
-  if (!shapefile_warnings) return tl::unexpected(shapefile_warnings.error());
   OpenedDataset opened;
-  opened.warnings = *std::move(shapefile_warnings);
-  std::filesystem::path readable = input.path;
-  if (!input.folder.empty()) {
-    auto copy = copy_database(input.path, input.folder);
-    if (!copy) return tl::unexpected(copy.error());
-    readable = *copy;
+  const auto readable = readable_path(input);
+  if (!readable) return tl::unexpected(readable.error());
+  if (auto checked = check_shapefiles(input, *readable, opened); !checked) {
+    return tl::unexpected(checked.error());
   }
   GdalMessages messages;
   const auto drivers = null_terminated(input.drivers);
-  auto* candidate = GDALIdentifyDriverEx(readable.c_str(), GDAL_OF_VECTOR, drivers.data(), nullptr);
+  auto* candidate =
+      GDALIdentifyDriverEx(readable->c_str(), GDAL_OF_VECTOR, drivers.data(), nullptr);
   if (candidate != nullptr) notice(GDALGetDriverShortName(candidate));
   const MappedDatabases mapped;
-  opened.dataset.reset(GDALDataset::Open(readable.c_str(),
+  opened.dataset.reset(GDALDataset::Open(readable->c_str(),
                                          GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                          drivers.data(), kOpenOptions, nullptr));
   if (!opened.dataset) return input_failure(refusal(input, messages, candidate != nullptr));

@@ -14,6 +14,7 @@ namespace mapwright::converter {
 struct OpenedDataset {
   GDALDatasetUniquePtr dataset;
   std::vector<std::string> warnings;
+  std::vector<std::string> bare_layers;  ///< shapefiles without attributes
 };
 
 /// Opens a local file or folder with one of the drivers named.

@@ -6,6 +6,7 @@
 #include "converter/gdal/drivers.hpp"
 #include "converter/gdal/gdal_reader.hpp"
 #include "converter/gdal/private_copy.hpp"
+#include "converter/gdal/shapefile_index.hpp"
 #include "converter/gdal/single_source.hpp"
 #include "converter/isolation/isolated_reader.hpp"
 #include "converter/osm/osm_reader.hpp"
@@ -95,7 +96,7 @@ Result<VectorSource> VectorSource::open(const std::string& path, const OpenOptio
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   GdalInput input{path, path, {}, *drivers};
-  if (reading_leaves_traces(path)) {
+  if (reading_leaves_traces(path) || wants_index(path)) {
     auto folder = PrivateFolder::create();
     if (!folder) return tl::unexpected(folder.error());
     impl->folder = *std::move(folder);

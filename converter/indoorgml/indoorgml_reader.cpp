@@ -71,6 +71,7 @@ class IndoorGmlReader : public SourceReader {
       plans_.push_back(std::make_unique<StoreyPlan>(document_, footprints_, std::move(storey),
                                                     document_.crs.metres_per_unit));
     }
+    warn_of_idle_doors();
     if (document_.graph.empty()) return;
     infos_.push_back(layer("IndoorGML graph"));
     infos_.back().declared_features = static_cast<std::int64_t>(document_.graph.size());
@@ -109,6 +110,19 @@ class IndoorGmlReader : public SourceReader {
   }
 
  private:
+  void warn_of_idle_doors() {
+    std::vector<std::string> doors;
+    for (const auto& plan : plans_) {
+      doors.insert(doors.end(), plan->idle_doors().begin(), plan->idle_doors().end());
+    }
+    if (doors.empty()) return;
+    document_.warnings.push_back(std::to_string(doors.size()) +
+                                 (doors.size() == 1 ? " door lies at no wall and opens none ("
+                                                    : " doors lie at no wall and open none (") +
+                                 doors.front() + (doors.size() == 1 ? "" : " …") +
+                                 "): rooms behind may be shut; the ledger names each");
+  }
+
   LayerInfo layer(std::string name) const {
     LayerInfo info;
     info.name = std::move(name);
@@ -199,6 +213,9 @@ class IndoorGmlReader : public SourceReader {
     begin(object, document_.cells.size() + boundary, is_opening ? "opening" : "wall", feature);
     if (!feature.broken.empty()) return;
     if (object.faces.empty() && object.lines.empty()) return;
+    if (auto remark = plan.remark_about_door(boundary); !remark.empty()) {
+      feature.warnings.push_back(std::move(remark));
+    }
     set_walls(is_opening ? ground_lines(object) : plan.walls_of_boundary(boundary), feature);
   }
 

@@ -1,15 +1,19 @@
 #include "converter/indoorgml/storey_plan.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <initializer_list>
 #include <iterator>
 #include <set>
 #include <unordered_map>
 
+#include "converter/indoorgml/door_fit.hpp"
+
 namespace mapwright::converter {
 namespace {
 
 constexpr double kOneLine_m = 0.05;  // walls nearer than this are one
+constexpr double kThickestWall_m = 0.6;
 constexpr double kHighestSill_m = 0.3;
 constexpr double kReach_m = 0.5;        // from a door to the room it leads to
 constexpr double kLargestWay_m2 = 2.5;  // floor of a cell that stands in a wall as a door
@@ -144,15 +148,52 @@ StoreyPlan::StoreyPlan(const IndoorDocument& document,
   }
   WallRules rules;
   rules.tolerance = kOneLine_m / metres_per_unit;
-  for (const std::size_t boundary : openings_) {
-    for (const auto& line : ground_lines(document_.boundaries[boundary])) {
+  rules.are_open = [this](std::size_t p, std::size_t q) { return are_open(p, q); };
+  auto all = edges();
+  fit_doors(all, rules);
+  lines_ = std::make_unique<WallLines>(std::move(all), std::move(rules));
+}
+
+// In the document's order, so that the same document gives the same map.
+void StoreyPlan::fit_doors(const std::vector<WallEdge>& edges, WallRules& rules) {
+  const DoorLimits limits{rules.tolerance, kThickestWall_m / metres_per_unit_,
+                          document_.cells.size()};
+  const auto index = index_of(edges);
+  for (const std::size_t boundary : storey_.boundaries) {
+    if (!is_opening(boundary)) continue;
+    bool opens = false;
+    double farthest = 0.0;
+    const auto lines = ground_lines(document_.boundaries[boundary]);
+    for (const auto& line : lines) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        rules.openings.emplace_back(line[i], line[i + 1]);
+        const OpenLine door(line[i], line[i + 1]);
+        const auto fit = fit_door(door, edges, index, limits);
+        rules.openings.push_back(door);
+        rules.openings.insert(rules.openings.end(), fit.faces.begin(), fit.faces.end());
+        jambs_.insert(jambs_.end(), fit.jambs.begin(), fit.jambs.end());
+        opens = opens || fit.opens;
+        farthest = std::max(farthest, fit.farthest);
       }
     }
+    if (!lines.empty()) remark(boundary, opens, farthest * metres_per_unit_);
   }
-  rules.are_open = [this](std::size_t p, std::size_t q) { return are_open(p, q); };
-  lines_ = std::make_unique<WallLines>(edges(), std::move(rules));
+}
+
+void StoreyPlan::remark(std::size_t boundary, bool opens, double farthest_m) {
+  if (!opens) {
+    remarks_[boundary] = "a door at no wall: it opens none";
+    idle_doors_.push_back(document_.boundaries[boundary].id);
+  } else if (farthest_m > 0.0) {
+    char text[96];
+    std::snprintf(text, sizeof text,
+                  "a door %.2f m beside a face of its wall: that face was opened too", farthest_m);
+    remarks_[boundary] = text;
+  }
+}
+
+std::string StoreyPlan::remark_about_door(std::size_t boundary) const {
+  const auto remark = remarks_.find(boundary);
+  return remark == remarks_.end() ? std::string() : remark->second;
 }
 
 double StoreyPlan::sill_of_cell(std::size_t cell) const {
@@ -261,7 +302,11 @@ std::vector<WallEdge> StoreyPlan::edges() const {
 }
 
 std::vector<std::vector<Point>> StoreyPlan::walls_of_cell(std::size_t cell) const {
-  return lines_->of(cell);
+  auto walls = lines_->of(cell);
+  for (const auto& jamb : jambs_) {
+    if (jamb.owner == cell) walls.push_back({jamb.a, jamb.b});
+  }
+  return walls;
 }
 
 std::vector<std::vector<Point>> StoreyPlan::walls_of_boundary(std::size_t boundary) const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -34,6 +35,12 @@ class StoreyPlan {
   std::vector<std::vector<Point>> walls_of_cell(std::size_t cell) const;
   std::vector<std::vector<Point>> walls_of_boundary(std::size_t boundary) const;
 
+  /// What is to be told of a boundary that is a door: that it lies beside the wall it opens, or at
+  /// none. Empty where it lies on a wall.
+  std::string remark_about_door(std::size_t boundary) const;
+  /// Ids of doors at no wall, as far as they have any.
+  const std::vector<std::string>& idle_doors() const { return idle_doors_; }
+
   /// How far the floor of a cell that is no room is above the rooms' around it; 0 where heights are
   /// not known.
   double sill_of_cell(std::size_t cell) const;
@@ -46,6 +53,8 @@ class StoreyPlan {
   void find_openings();
   void join_cells_of_transitions();
   std::vector<WallEdge> edges() const;
+  void fit_doors(const std::vector<WallEdge>& edges, WallRules& rules);
+  void remark(std::size_t boundary, bool opens, double farthest_m);
 
   const IndoorDocument& document_;
   const std::vector<std::optional<Footprint>>& footprints_;
@@ -56,6 +65,9 @@ class StoreyPlan {
   std::unordered_set<std::size_t> ways_;                     // cells that are doors
   std::vector<std::pair<std::size_t, std::size_t>> joined_;  // sorted pairs of cells
   std::unique_ptr<WallLines> lines_;
+  std::vector<WallEdge> jambs_;                           // of doors through thick walls
+  std::unordered_map<std::size_t, std::string> remarks_;  // by boundary
+  std::vector<std::string> idle_doors_;
 };
 
 /// The ground line of a boundary: of a standing polygon its longest stretch seen from above.

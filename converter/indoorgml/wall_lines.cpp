@@ -7,12 +7,6 @@
 namespace mapwright::converter {
 namespace {
 
-SegmentIndex index_of(const std::vector<WallEdge>& edges) {
-  std::vector<IndexedSegment> segments;
-  for (const auto& edge : edges) segments.push_back({edge.a, edge.b, 0});
-  return SegmentIndex(std::move(segments));
-}
-
 SegmentIndex index_of(const std::vector<std::pair<Point, Point>>& openings) {
   std::vector<IndexedSegment> segments;
   for (const auto& [a, b] : openings) segments.push_back({a, b, 0});
@@ -47,6 +41,12 @@ Box box_around(const WallEdge& edge, double margin) {
 }
 
 }  // namespace
+
+SegmentIndex index_of(const std::vector<WallEdge>& edges) {
+  std::vector<IndexedSegment> segments;
+  for (const auto& edge : edges) segments.push_back({edge.a, edge.b, 0});
+  return SegmentIndex(std::move(segments));
+}
 
 WallLines::WallLines(std::vector<WallEdge> edges, WallRules rules)
     : edges_(std::move(edges)),

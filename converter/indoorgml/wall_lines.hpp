@@ -17,6 +17,9 @@ struct WallEdge {
   std::size_t owner = 0;  ///< cells come before boundaries
 };
 
+/// For `SegmentIndex`, which wants segments.
+SegmentIndex index_of(const std::vector<WallEdge>& edges);
+
 struct WallRules {
   double tolerance = 0.0;  ///< lines nearer than this are one, in the unit of the coordinates
   std::vector<std::pair<Point, Point>> openings;

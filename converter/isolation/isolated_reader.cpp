@@ -66,6 +66,8 @@ class IsolatedReader : public SourceReader {
     WireWriter request;
     request.put(static_cast<std::uint64_t>(layer));
     put(request, options);
+    sent_values_ = sent_values(layers_[layer], options);
+    feature_.values.assign(layers_[layer].fields.size(), FieldValue());
     std::size_t received = 0;
     bool alive = ask(Word::kRead, request);
     for (; alive && !is(Word::kDone); alive = next()) {
@@ -121,7 +123,7 @@ class IsolatedReader : public SourceReader {
   std::size_t visit_features(WireReader wire, const FeatureVisitor& visit) {
     std::size_t count = 0;
     while (!wire.at_end()) {
-      get(wire, feature_);
+      get(wire, feature_, sent_values_);
       if (!wire.good()) break;
       visit(feature_);
       ++count;
@@ -156,6 +158,7 @@ class IsolatedReader : public SourceReader {
   std::vector<std::string> warnings_;
   Frame frame_;
   SourceFeature feature_;
+  std::vector<std::uint32_t> sent_values_;  // of the layer that is read now
 };
 
 }  // namespace

@@ -53,8 +53,11 @@ class Service {
     filled_ = 0;
     read_ = 0;
     begin_batch();
-    const auto count = reader_->read(layer, options, [this](SourceFeature& feature) {
-      put(features_, feature);
+    const auto& info = reader_->layers()[layer];
+    const auto values = sent_values(info, options);
+    const auto count = reader_->read(layer, options, [&](SourceFeature& feature) {
+      feature.values.resize(info.fields.size());
+      put(features_, feature, values);
       if (features_.size() >= kBatchBytes) send_batch();
     });
     if (features_.size() > 0) send_batch();

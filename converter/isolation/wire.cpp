@@ -72,10 +72,21 @@ void WireWriter::grow(std::size_t bytes) {
   capacity_ = capacity;
 }
 
-void put(WireWriter& wire, const SourceFeature& feature) {
+std::vector<std::uint32_t> sent_values(const LayerInfo& layer, const ReadOptions& options) {
+  const auto& names = options.fields;
+  std::vector<std::uint32_t> values;
+  for (std::uint32_t i = 0; i < layer.fields.size(); ++i) {
+    const bool wanted =
+        names.empty() || std::find(names.begin(), names.end(), layer.fields[i]) != names.end();
+    if (wanted) values.push_back(i);
+  }
+  return values;
+}
+
+void put(WireWriter& wire, const SourceFeature& feature, const std::vector<std::uint32_t>& values) {
   const auto& geometry = feature.geometry;
   const FeatureHead head{feature.fid,
-                         static_cast<std::uint32_t>(feature.values.size()),
+                         static_cast<std::uint32_t>(values.size()),
                          static_cast<std::uint32_t>(geometry.xs.size()),
                          static_cast<std::uint32_t>(geometry.paths.size()),
                          !geometry.zs.empty(),
@@ -87,7 +98,7 @@ void put(WireWriter& wire, const SourceFeature& feature) {
   wire.put_values(geometry.zs);
   wire.put_values(geometry.paths);
   wire.put(geometry.type);
-  for (const auto& value : feature.values) put_value(wire, value);
+  for (const auto i : values) put_value(wire, feature.values[i]);
   if (!head.has_remarks) return;
   wire.put(geometry.unsupported);
   wire.put(feature.broken);
@@ -95,7 +106,7 @@ void put(WireWriter& wire, const SourceFeature& feature) {
   wire.put(feature.reencoded);
 }
 
-void get(WireReader& wire, SourceFeature& feature) {
+void get(WireReader& wire, SourceFeature& feature, const std::vector<std::uint32_t>& values) {
   FeatureHead head;
   wire.get(head);
   feature.fid = head.fid;
@@ -109,8 +120,8 @@ void get(WireReader& wire, SourceFeature& feature) {
     return path.first <= head.points && path.count <= head.points - path.first;
   }));
   wire.get(geometry.type);
-  wire.resize(feature.values, head.values);
-  for (auto& value : feature.values) get_value(wire, value);
+  wire.check(head.values == values.size());
+  for (const auto i : values) get_value(wire, feature.values[i]);
   geometry.unsupported.clear();
   feature.broken.clear();
   feature.warnings.clear();
@@ -131,6 +142,8 @@ void put(WireWriter& wire, const std::vector<LayerInfo>& layers) {
     put_crs(wire, layer.crs);
     wire.put(layer.declared_features);
     wire.put(layer.metres_per_local_unit);
+    wire.put(layer.lacks_attributes);
+    wire.put(layer.is_view);
     wire.put(layer.storey);
     wire.put(layer.chains_lines);
   }
@@ -147,6 +160,8 @@ void get(WireReader& wire, std::vector<LayerInfo>& layers) {
     get_crs(wire, layer.crs);
     wire.get(layer.declared_features);
     wire.get(layer.metres_per_local_unit);
+    wire.get(layer.lacks_attributes);
+    wire.get(layer.is_view);
     wire.get(layer.storey);
     wire.get(layer.chains_lines);
   }

@@ -141,8 +141,13 @@ class WireReader {
   bool good_ = true;
 };
 
-void put(WireWriter& wire, const SourceFeature& feature);
-void get(WireReader& wire, SourceFeature& feature);
+/// Positions of the values that are sent of a layer's features: of the fields asked for, or all.
+/// Both sides find them for themselves.
+std::vector<std::uint32_t> sent_values(const LayerInfo& layer, const ReadOptions& options);
+
+void put(WireWriter& wire, const SourceFeature& feature, const std::vector<std::uint32_t>& values);
+/// Values that are not sent stay as they are.
+void get(WireReader& wire, SourceFeature& feature, const std::vector<std::uint32_t>& values);
 
 void put(WireWriter& wire, const std::vector<LayerInfo>& layers);
 void get(WireReader& wire, std::vector<LayerInfo>& layers);

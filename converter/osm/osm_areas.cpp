@@ -8,6 +8,7 @@
 #include <osmium/memory/buffer.hpp>
 #include <osmium/osm.hpp>
 #include <set>
+#include <tuple>
 
 namespace mapwright::converter {
 namespace {
@@ -77,8 +78,7 @@ class FirstProblem : public osmium::area::ProblemReporter {
 
 osmium::Location location_of(std::int64_t node, const OsmData& data) {
   const auto place = data.places.find(node);
-  if (place == data.places.end()) return osmium::Location();
-  return {place->second.x, place->second.y};
+  return place ? osmium::Location(place->x, place->y) : osmium::Location();
 }
 
 void build(const OsmWay& way, const OsmData& data, Buffer& buffer) {
@@ -176,8 +176,7 @@ void append_unsorted(const std::vector<const OsmWay*>& ways, const OsmData& data
   for (const auto& ring : closed_chains(ways)) {
     const auto first = static_cast<std::uint32_t>(geometry.xs.size());
     for (const auto node : ring) {
-      const auto place = data.places.find(node);
-      if (place != data.places.end()) append_point(place->second, geometry);
+      if (const auto place = data.places.find(node)) append_point(*place, geometry);
     }
     geometry.paths.push_back(
         {first, static_cast<std::uint32_t>(geometry.xs.size()) - first, role, false});
@@ -185,14 +184,37 @@ void append_unsorted(const std::vector<const OsmWay*>& ways, const OsmData& data
   }
 }
 
-// Two nodes at one place look like one and join nothing.
+struct NodeAt {
+  Point place;
+  std::int64_t node = 0;
+};
+
+// Whether different nodes lie at one place.
+bool share_a_place(std::vector<NodeAt>& nodes) {
+  std::sort(nodes.begin(), nodes.end(), [](const NodeAt& a, const NodeAt& b) {
+    return std::tie(a.place.x, a.place.y, a.node) < std::tie(b.place.x, b.place.y, b.node);
+  });
+  return std::adjacent_find(nodes.begin(), nodes.end(), [](const NodeAt& a, const NodeAt& b) {
+           return a.place == b.place && a.node != b.node;
+         }) != nodes.end();
+}
+
+// Two nodes at one place look like one and join nothing. Nearly always there are none, which
+// sorting tells sooner than a map does.
 std::string problem_of_nodes(const std::vector<const OsmWay*>& ways, const OsmData& data) {
+  std::vector<NodeAt> nodes;
+  for (const auto* way : ways) {
+    for (const auto node : way->nodes) {
+      if (const auto place = data.places.find(node)) nodes.push_back({*place, node});
+    }
+  }
+  if (!share_a_place(nodes)) return {};
   std::map<std::pair<double, double>, std::int64_t> node_at;
   for (const auto* way : ways) {
     for (const auto node : way->nodes) {
       const auto place = data.places.find(node);
-      if (place == data.places.end()) continue;
-      const auto [known, is_new] = node_at.try_emplace({place->second.x, place->second.y}, node);
+      if (!place) continue;
+      const auto [known, is_new] = node_at.try_emplace({place->x, place->y}, node);
       if (!is_new && known->second != node) {
         return "its nodes " + std::to_string(known->second) + " and " + std::to_string(node) +
                " lie at the same place";
@@ -281,8 +303,10 @@ std::string first_of(std::string problem, std::string other) {
 }
 
 bool visits_a_node_twice(const OsmWay& way) {
-  std::set<std::int64_t> nodes(way.nodes.begin(), way.nodes.end());
-  return nodes.size() + 1 < way.nodes.size();
+  auto nodes = way.nodes;
+  std::sort(nodes.begin(), nodes.end());
+  const auto different = std::unique(nodes.begin(), nodes.end()) - nodes.begin();
+  return static_cast<std::size_t>(different) + 1 < nodes.size();
 }
 
 }  // namespace
@@ -333,7 +357,7 @@ std::string append_area_of_way(const OsmWay& way, const OsmData& data, SourceGeo
   }
   geometry.paths.push_back(
       {0, static_cast<std::uint32_t>(way.nodes.size()), PathRole::kOuterRing, false});
-  for (const auto node : way.nodes) append_point(data.places.at(node), geometry);
+  for (const auto node : way.nodes) append_point(*data.places.find(node), geometry);
   return problem_of_nodes({&way}, data);
 }
 

@@ -7,6 +7,7 @@
 #include <osmium/io/reader.hpp>
 #include <osmium/io/xml_input.hpp>
 #include <osmium/osm.hpp>
+#include <unordered_set>
 
 #include "converter/gdal/stored_file.hpp"
 
@@ -15,22 +16,24 @@ namespace {
 
 OsmTags tags_of(const osmium::TagList& from, OsmData& data) {
   OsmTags tags;
+  tags.reserve(from.size());
   for (const auto& tag : from) tags.emplace_back(data.key(tag.key()), tag.value());
   return tags;
 }
 
 void add_node(const osmium::Node& from, OsmData& data) {
   if (!from.location().valid()) return;
-  data.places.insert_or_assign(from.id(), Point{from.location().lon(), from.location().lat()});
+  data.places.add(from.id(), {from.location().x(), from.location().y()});
   if (!from.tags().empty()) data.nodes.push_back({from.id(), tags_of(from.tags(), data)});
 }
 
 void add_way(const osmium::Way& from, OsmData& data) {
   OsmWay way{from.id(), {}, tags_of(from.tags(), data)};
+  way.nodes.reserve(from.nodes().size());
   for (const auto& node : from.nodes()) {
     way.nodes.push_back(node.ref());
     if (!node.location().valid()) continue;  // Overpass writes places of nodes into the ways
-    data.places.try_emplace(node.ref(), Point{node.location().lon(), node.location().lat()});
+    data.places.add_of_way(node.ref(), {node.location().x(), node.location().y()});
   }
   data.ways.push_back(std::move(way));
 }
@@ -94,6 +97,18 @@ bool OsmData::has(const OsmTags& tags, const std::string& key, const std::string
   return found != nullptr && *found == value;
 }
 
+std::unordered_map<std::int64_t, std::size_t> member_ways(const OsmData& data) {
+  std::unordered_set<std::int64_t> members;
+  for (const auto& relation : data.relations) {
+    for (const auto& member : relation.ways) members.insert(member.way);
+  }
+  std::unordered_map<std::int64_t, std::size_t> positions;
+  for (std::size_t i = 0; i < data.ways.size(); ++i) {
+    if (members.count(data.ways[i].id) > 0) positions.emplace(data.ways[i].id, i);
+  }
+  return positions;
+}
+
 Result<OsmData> read_osm(const std::string& path) {
   OsmData data;
   std::string unpacked;  // outlives the reader
@@ -103,6 +118,7 @@ Result<OsmData> read_osm(const std::string& path) {
       for (const auto& object : buffer.select<osmium::OSMObject>()) add(object, data);
     }
     reader.close();
+    data.places.finish();
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mapcore/point.hpp"
+#include "converter/osm/osm_places.hpp"
 #include "mapcore/result.hpp"
 
 namespace mapwright::converter {
@@ -47,7 +47,7 @@ class OsmData {
   std::vector<OsmNode> nodes;  ///< tagged ones
   std::vector<OsmWay> ways;
   std::vector<OsmRelation> relations;
-  std::unordered_map<std::int64_t, Point> places;  ///< x = longitude, y = latitude, degrees
+  OsmPlaces places;
 
   std::uint32_t key(const std::string& name);
   /// The value of a tag; null where there is none.
@@ -57,6 +57,10 @@ class OsmData {
  private:
   std::unordered_map<std::string, std::uint32_t> key_numbers_;
 };
+
+/// Positions in OsmData::ways by id, of ways that relations have as members. Of several ways with
+/// one id the first counts.
+std::unordered_map<std::int64_t, std::size_t> member_ways(const OsmData& data);
 
 /// Reads a file. Fails (kInput) with what is wrong; the message does not name the file.
 Result<OsmData> read_osm(const std::string& path);

@@ -34,9 +34,7 @@ bool contains(const std::array<std::string_view, N>& texts, std::string_view tex
 
 class Sorter {
  public:
-  explicit Sorter(const OsmData& data) : data_(data) {
-    for (std::size_t i = 0; i < data.ways.size(); ++i) way_numbers_.emplace(data.ways[i].id, i);
-  }
+  explicit Sorter(const OsmData& data) : data_(data), way_numbers_(member_ways(data)) {}
 
   std::vector<OsmLayer> layers() {
     for (std::size_t i = 0; i < data_.relations.size(); ++i) sort_relation(i);

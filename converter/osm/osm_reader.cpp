@@ -30,7 +30,7 @@ class FeatureMaker {
       if (item.form == Form::kPassage) add_edges(data.ways[item.index], taken_);
     }
     if (layer.name != "multipolygons") return;
-    for (std::size_t i = 0; i < data.ways.size(); ++i) way_numbers_.emplace(data.ways[i].id, i);
+    way_numbers_ = member_ways(data);
   }
 
   void make(const OsmItem& item, SourceFeature& feature) {
@@ -76,7 +76,7 @@ class FeatureMaker {
   void make_point(const OsmNode& node, SourceFeature& feature) const {
     feature.geometry.type = "POINT";
     feature.geometry.paths.push_back({0, 1, PathRole::kPoint, false});
-    append(data_.places.at(node.id), feature.geometry);
+    append(*data_.places.find(node.id), feature.geometry);
   }
 
   // Appends the stretches of a way of which the nodes are there and `keep` holds for the edges.
@@ -91,11 +91,11 @@ class FeatureMaker {
     for (std::size_t i = 0; i < way.nodes.size(); ++i) {
       if (i > 0 && !keep(way.nodes[i - 1], way.nodes[i])) end_path();
       const auto place = data_.places.find(way.nodes[i]);
-      if (place == data_.places.end()) {
+      if (!place) {
         end_path();
         continue;
       }
-      append(place->second, geometry);
+      append(*place, geometry);
       ++path.count;
     }
     end_path();
@@ -104,7 +104,7 @@ class FeatureMaker {
   std::size_t missing_nodes(const OsmWay& way) const {
     return static_cast<std::size_t>(
         std::count_if(way.nodes.begin(), way.nodes.end(),
-                      [&](std::int64_t node) { return data_.places.count(node) == 0; }));
+                      [&](std::int64_t node) { return !data_.places.has(node); }));
   }
 
   static std::string lacks(std::size_t missing, std::size_t all, const char* what) {
@@ -204,7 +204,7 @@ class OsmReader : public SourceReader {
 
   Result<std::optional<Box>> extent(std::size_t layer) override {
     Box box = kEmptyBox;
-    each(layer, [&](const SourceFeature& feature) {
+    each(layer, {}, [&](const SourceFeature& feature) {
       const auto& geometry = feature.geometry;
       for (std::size_t i = 0; i < geometry.xs.size(); ++i)
         box.add({geometry.xs[i], geometry.ys[i]});
@@ -219,7 +219,7 @@ class OsmReader : public SourceReader {
       return usage_failure("--where: '" + options.where + "' does not fit layer " +
                            infos_[layer].name + ": " + filter.error().message);
     }
-    each(layer, [&](SourceFeature& feature) {
+    each(layer, keys_to_read(options), [&](SourceFeature& feature) {
       feature.selected = filter->holds(feature);
       visit(feature);
     });
@@ -227,13 +227,29 @@ class OsmReader : public SourceReader {
   }
 
  private:
-  void each(std::size_t layer, const FeatureVisitor& visit) {
+  // By key: whether its values are wanted.
+  std::vector<bool> keys_to_read(const ReadOptions& options) const {
+    const bool all = options.fields.empty() || !options.where.empty();
+    std::vector<bool> wanted(data_.keys.size(), all);
+    for (std::size_t i = 0; i < wanted.size() && !all; ++i) {
+      const auto& names = options.fields;
+      wanted[i] = std::find(names.begin(), names.end(), data_.keys[i]) != names.end();
+    }
+    return wanted;
+  }
+
+  // Hands over all features of a layer, with the values of the keys that are wanted (none: of no
+  // key).
+  void each(std::size_t layer, const std::vector<bool>& wanted, const FeatureVisitor& visit) {
+    const auto is_wanted = [&](std::uint32_t key) { return !wanted.empty() && wanted[key]; };
     SourceFeature feature;
     feature.values.resize(data_.keys.size());
     FeatureMaker maker(data_, sorted_[layer]);
     for (const auto& item : sorted_[layer].items) {
       const auto& tags = tags_of(item, data_);
-      for (const auto& [key, value] : tags) feature.values[key] = value;
+      for (const auto& [key, value] : tags) {
+        if (is_wanted(key)) feature.values[key] = value;
+      }
       maker.make(item, feature);
       visit(feature);
       for (const auto& [key, value] : tags) feature.values[key] = std::monostate();

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostCorners = 20000;
 constexpr std::size_t kLeastCorners = 40;
+constexpr std::size_t kFewCorners = 6;
 constexpr double kRightAngleSlack = 0.026;  // cosine; 1.5°
 
 double cosine_deg(double degrees) {
@@ -49,6 +50,11 @@ void AxisSuspicion::watch(const SourceGeometry& geometry) {
 bool AxisSuspicion::is_suspect() const {
   return corners_ >= kLeastCorners && right_if_exchanged_ * 5 >= corners_ * 2 &&
          right_as_declared_ * 2 <= right_if_exchanged_;
+}
+
+bool AxisSuspicion::is_doubtful() const {
+  return corners_ >= kFewCorners && right_if_exchanged_ * 3 >= corners_ * 2 &&
+         right_as_declared_ * 4 <= corners_;
 }
 
 }  // namespace mapwright::converter

@@ -15,7 +15,10 @@ class AxisSuspicion {
   /// `geometry` in degrees, x longitude and y latitude as declared.
   void watch(const SourceGeometry& geometry);
 
+  /// The evidence is beyond doubt.
   bool is_suspect() const;
+  /// There is as much evidence as a small drawing gives.
+  bool is_doubtful() const;
 
  private:
   void watch_corner(const SourceGeometry& geometry, std::size_t i);

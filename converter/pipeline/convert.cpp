@@ -1,5 +1,6 @@
 #include "converter/pipeline/convert.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
@@ -7,6 +8,7 @@
 #include <set>
 
 #include "converter/detective/doubts.hpp"
+#include "converter/detective/unstated_crs.hpp"
 #include "converter/frame/frame_wkt.hpp"
 #include "converter/pipeline/assembly.hpp"
 #include "converter/pipeline/chained_lines.hpp"
@@ -143,10 +145,26 @@ void append_doubts(const OpenedSources& sources, std::vector<std::string>& warni
     if (doubted.count({job.source, job.crs.wkt}) > 0) continue;
     const auto extent = job.source->extent(job.layer);
     if (!extent || !*extent) continue;
-    if (const auto doubt = doubt_about_place(job.crs, **extent)) {
-      warnings.push_back(job.source->path() + ": layer " + job.info().name + " " + *doubt);
-      doubted.insert({job.source, job.crs.wkt});
+    auto doubt = doubt_about_place(job.crs, **extent);
+    if (!doubt) doubt = doubt_about_stated_metres(*job.source, job.crs, **extent);
+    if (!doubt) continue;
+    warnings.push_back(job.source->path() + ": layer " + job.info().name + " " + *doubt);
+    doubted.insert({job.source, job.crs.wkt});
+  }
+}
+
+// A view beside the tables it shows would make each of their features two obstacles.
+void append_views(const OpenedSources& sources, std::vector<std::string>& warnings) {
+  for (const auto& job : sources.jobs) {
+    const auto is_table = [&](const LayerJob& other) {
+      return other.source == job.source && !other.info().is_view;
+    };
+    if (!job.info().is_view || std::none_of(sources.jobs.begin(), sources.jobs.end(), is_table)) {
+      continue;
     }
+    warnings.push_back(job.source->path() + ": layer " + job.info().name +
+                       " is a view: what it shows of the other layers comes twice; --layer picks "
+                       "those to convert");
   }
 }
 
@@ -163,6 +181,7 @@ std::vector<std::string> warnings_of(const ConvertOptions& options, const Opened
                          job.info().crs.title() + "; with --local its coordinates count as metres");
     }
   }
+  append_views(sources, warnings);
   append_doubts(sources, warnings);
   const auto latitude =
       georeference ? std::optional(georeference->origin_latitude_deg) : std::nullopt;
@@ -219,6 +238,8 @@ Result<Conversion> convert(const ConvertOptions& given) {
   conversion.georeference = *std::move(georeference);
   conversion.ledger = std::move(workspace.ledger);
   conversion.warnings = warnings_of(options, **sources, conversion.georeference, conversion.map);
+  conversion.warnings.insert(conversion.warnings.end(), workspace.warnings.begin(),
+                             workspace.warnings.end());
   assert(balances(conversion.ledger));
   return conversion;
 }

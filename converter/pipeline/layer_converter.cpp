@@ -105,6 +105,12 @@ Result<void> LayerConverter::run() {
                          ": longitude and latitude look exchanged (right angles are right only the "
                          "other way round): use --swap-axes");
   }
+  if (suspicion_.is_doubtful()) {
+    workspace_.warnings.push_back(
+        job_.source->path() + ": layer " + job_.info().name +
+        ": longitude and latitude may be exchanged: most of its corners are right angles only the "
+        "other way round; if they are, --swap-axes");
+  }
   ramps_.finish();
   return {};
 }
@@ -326,6 +332,10 @@ bool LayerConverter::keeps(const SourceFeature& feature, std::size_t account) {
 
 void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t account) {
   auto& ledger = workspace_.ledger;
+  if (job_.loses_attributes) {
+    ledger.change(account, FindingCode::C231,
+                  "the .dbf file with its height, type and name is missing: defaults stand in");
+  }
   for (const auto& value : meaning_.unreadable) {
     ledger.change(account, FindingCode::C219, value + " is no quantity and was passed over");
   }

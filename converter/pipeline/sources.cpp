@@ -9,6 +9,7 @@
 #include "converter/detective/unstated_crs.hpp"
 #include "converter/gdal/archive.hpp"
 #include "converter/pipeline/exported_sources.hpp"
+#include "converter/rules/rule_fields.hpp"
 #include "converter/rules/rule_reader.hpp"
 
 namespace mapwright::converter {
@@ -141,6 +142,19 @@ Result<const RuleSet*> rules_for(const VectorSource& source, bool is_export,
   return nullptr;
 }
 
+// Shapes without the attributes that rules ask for would become obstacles of another height and
+// kind.
+Result<void> check_attributes(LayerJob& job, bool keep_broken) {
+  const auto& layer = job.info();
+  if (!layer.lacks_attributes || !rules_read_fields(*job.rules, layer.name)) return {};
+  job.loses_attributes = true;
+  if (keep_broken) return {};
+  return input_failure(job.source->path() + ": layer " + layer.name +
+                       ": its .dbf file is missing, and with it the heights, types and names of "
+                       "its features; put it beside the .shp, convert the shapes by themselves "
+                       "with --skip-broken, or by --rules that read no field");
+}
+
 Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame>& frame,
                          const ConvertOptions& options, const UserCrs& said,
                          OpenedSources& opened) {
@@ -164,6 +178,7 @@ Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame
       job.crs = said.instead;
     else if (!job.crs.is_stated() && !job.is_map_frame)
       job.crs = said.fallback;
+    if (auto checked = check_attributes(job, options.keep_broken); !checked) return checked;
     const bool has_places = layer.geometry != GeometryKind::kNone;
     if (!options.local && !job.is_map_frame && has_places && !job.crs.is_stated()) {
       return tl::unexpected(without_crs(source, layer, opened));

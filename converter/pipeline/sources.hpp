@@ -21,7 +21,8 @@ struct LayerJob {
   Crs crs;                ///< the layer's own, or --source-crs; none for --local
   std::string place;      ///< what its stair ids are unique within
   const RuleSet* rules = nullptr;
-  bool is_map_frame = false;  ///< metres of the map that was exported
+  bool is_map_frame = false;      ///< metres of the map that was exported
+  bool loses_attributes = false;  ///< the rules ask for attributes that are gone
 
   const LayerInfo& info() const { return source->layers()[layer]; }
 };

@@ -32,6 +32,7 @@ struct Workspace {
   std::vector<Point> ring;  ///< used again from feature to feature
   PlainObstacles plain;     ///< solids, rooms and walls that nothing has to be done about any more
   Ledger ledger;
+  std::vector<std::string> warnings;      ///< about layers, for the person who converts
   Box border = kEmptyBox;                 ///< drawn by features of kind border
   std::optional<Border> exported_border;  ///< as `export` wrote it; counts before the drawn one
 };

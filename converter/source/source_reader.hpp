@@ -22,6 +22,8 @@ struct LayerInfo {
   Crs crs;
   std::int64_t declared_features = -1;  ///< negative where only reading tells
   double metres_per_local_unit = 1.0;   ///< of coordinates without CRS
+  bool lacks_attributes = false;        ///< they are gone, not merely none
+  bool is_view = false;                 ///< shows what other tables hold
   std::string storey;                   ///< of a building, where the source has several: its name
   bool chains_lines = false;  ///< a drawing: its lines are loose and their direction means nothing
 };

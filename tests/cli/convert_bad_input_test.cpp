@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <fstream>
+
 #include "tests/cli/program_run.hpp"
 #include "tests/support/gis_files.hpp"
 
@@ -37,6 +39,11 @@ class BadInput : public testing::Test {
                        {"LINESTRING(430000 4580010,430010 4580011)", {{"height", "2"}}}},
                       wkbLineString}});
     return folder_.path("walls.shp");
+  }
+
+  static std::string content_of(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
   }
 
   std::string geojson(const std::string& geometry) {
@@ -82,13 +89,77 @@ TEST_F(BadInput, ShapefileWithoutPrj) {
 TEST_F(BadInput, ShapefileWithoutDbf) {
   const auto shp = shapefile();
   fs::remove(folder_.path("walls.dbf"));
-  refuse(shp, 3, ".dbf file is missing");
+  refuse(shp, 3, "its .dbf file is missing, and with it the heights");
+  const auto bare = run({"convert", shp, "--skip-broken", "-o", folder_.path("map.txt"), "--report",
+                         folder_.path("r.json")});
+  EXPECT_EQ(bare.status, 1) << bare.err;
+  EXPECT_NE(bare.err.find("walls.shp: its .dbf file is missing: it is read as shapes without"),
+            std::string::npos)
+      << bare.err;
+  EXPECT_NE(content_of(folder_.path("r.json")).find("C231"), std::string::npos);
+}
+
+// Who says all in rules loses nothing.
+TEST_F(BadInput, ShapefileWithoutDbfAndRulesWithoutFields) {
+  const auto shp = shapefile();
+  fs::remove(folder_.path("walls.dbf"));
+  const auto rules = folder_.file("plain.yaml",
+                                  "mapwright_rules: 1\nrules:\n  - name: walls\n    kind: wall\n"
+                                  "    height: 2.5\n    semantic: \"wall,{layer}\"\n");
+  const auto plain = run({"convert", shp, "--rules", rules, "-o", folder_.path("map.txt")});
+  EXPECT_EQ(plain.status, 0) << plain.err;
+  const auto fields = folder_.file(
+      "fields.yaml",
+      "mapwright_rules: 1\nrules:\n  - name: walls\n    kind: wall\n    height: [height, 2.5]\n");
+  EXPECT_EQ(run({"convert", shp, "--rules", fields, "-o", folder_.path("other.txt")}).status, 3);
 }
 
 TEST_F(BadInput, ShapefileWithoutShx) {
   const auto shp = shapefile();
+  const std::string map = folder_.path("map.txt"), whole = folder_.path("whole.txt");
+  ASSERT_EQ(run({"convert", shp, "-o", whole}).status, 0);
   fs::remove(folder_.path("walls.shx"));
-  refuse(shp, 3, ".shx file is missing");
+  const auto made = run({"convert", shp, "-o", map, "--report", folder_.path("r.json")});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("walls.shp: its .shx file is missing: a new index was made"),
+            std::string::npos)
+      << made.err;
+  EXPECT_NE(content_of(folder_.path("r.json")).find("a new index was made"), std::string::npos);
+  EXPECT_EQ(content_of(map), content_of(whole));
+  EXPECT_FALSE(fs::exists(folder_.path("walls.shx")));
+}
+
+TEST_F(BadInput, FolderWithAShapefileWithoutShx) {
+  shapefile();
+  fs::create_directory(folder_.path("site"));
+  for (const char* part : {"shp", "dbf", "prj"}) {
+    fs::copy(folder_.path(std::string("walls.") + part),
+             folder_.path(std::string("site/walls.") + part));
+  }
+  fs::create_symlink("nowhere", folder_.path("site/zzz.shx"));
+  const auto made = run({"convert", folder_.path("site"), "-o", folder_.path("map.txt")});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("site/walls.shp: its .shx file is missing"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_.path("site/walls.shx")));
+}
+
+// A record that says that it is longer than the file hides those behind it.
+TEST_F(BadInput, ShapefileWithoutShxAndDamagedRecords) {
+  const auto shp = shapefile();
+  fs::remove(folder_.path("walls.shx"));
+  std::fstream file(shp, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(104);  // the first record's length
+  file.write("\x00\x10\x00\x00", 4);
+  file.close();
+  refuse(shp, 3, "walls.shp: its .shx file is missing, and it cannot be made anew");
+}
+
+TEST_F(BadInput, DamagedIndexIsSaidToBeDispensable) {
+  const auto shp = shapefile();
+  fs::resize_file(folder_.path("walls.shx"), 104);
+  refuse(shp, 3, "take this index away");
+  fs::remove(folder_.path("walls.shx"));
+  EXPECT_EQ(run({"convert", shp, "-o", folder_.path("map.txt")}).status, 0);
 }
 
 TEST_F(BadInput, TruncatedShapefile) {

@@ -6,6 +6,7 @@
 
 #include "mapcore/text/reader.hpp"
 #include "tests/cli/program_run.hpp"
+#include "tests/support/gis_files.hpp"
 
 namespace mapwright {
 namespace {
@@ -50,6 +51,48 @@ TEST_F(Sources, TablesNameTheirColumnOfShapesInManyWays) {
   const auto none = convert("a.csv", "id,town\n1,Dresden\n");
   EXPECT_EQ(none.status, 1);
   EXPECT_NE(none.err.find("no column of it holds shapes"), std::string::npos) << none.err;
+}
+
+TEST_F(Sources, ViewsBesideTheirTablesAreTold) {
+  const auto path = folder_.path("site.gpkg");
+  test::write_gis(path, "GPKG",
+                  {{"walls",
+                    "EPSG:25831",
+                    {{"LINESTRING(430000 4580000,430010 4580001)", {{"height", "2"}}},
+                     {"LINESTRING(430000 4580010,430010 4580011)", {{"height", "3"}}}},
+                    wkbLineString}});
+  {
+    const GDALDatasetUniquePtr site(
+        GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    for (const char* sql :
+         {"CREATE VIEW tall AS SELECT * FROM walls WHERE height > 2",
+          "INSERT INTO gpkg_contents(table_name, identifier, data_type, srs_id) "
+          "VALUES('tall', 'tall', 'features', 25831)",
+          "INSERT INTO gpkg_geometry_columns VALUES('tall', 'geom', 'LINESTRING', 25831, 0, 0)"}) {
+      site->ReleaseResultSet(site->ExecuteSQL(sql, nullptr, nullptr));
+    }
+  }
+  const auto map = folder_.path("map.txt");
+  const auto both = test::run({"convert", path, "-o", map});
+  EXPECT_NE(both.err.find("layer tall is a view"), std::string::npos) << both.err;
+  const auto one = test::run({"convert", path, "--layer", "tall", "-o", map});
+  EXPECT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(one.err.find("is a view"), std::string::npos) << one.err;
+}
+
+// Nothing in such a file separates columns, so that it does not look like a table.
+TEST_F(Sources, TablesMayBeASingleColumnOfShapes) {
+  const std::string quoted = "\"" + std::string(kSquare) + "\"";
+  for (const std::string& text :
+       {"WKT\n" + quoted + "\n\"LINESTRING(10 0,12 3)\"\n",
+        "\xef\xbb\xbf\"geom\"\r\n" + quoted + "\r\n\"LINESTRING(10 0,12 3)\"\r\n",
+        "wkt_geom\n" + std::string(kSquare) + "\nLINESTRING(10 0,12 3)"}) {
+    const auto done = convert("a.csv", text);
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(map().obstacles.size(), 2U) << text;
+  }
+  EXPECT_EQ(convert("a.csv", "WKT\n\"POLYGON((0 0,4 0,4\n").status, 3);
+  EXPECT_EQ(convert("a.csv", "town\nDresden\n").status, 3);
 }
 
 TEST_F(Sources, ATableThatWasCutShortIsRefused) {

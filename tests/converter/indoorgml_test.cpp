@@ -160,6 +160,50 @@ TEST_F(IndoorGml, DoorsInTheWallAreOpen) {
   EXPECT_DOUBLE_EQ(length(joined["E"].geometry), 2 * 5.8 + 6.0);
 }
 
+// A door is drawn once, on one face of its wall, within it, or beside it.
+TEST_F(IndoorGml, DoorsOpenBothFacesOfAThickWall) {
+  const auto rooms = cell("W", solid(kWest, 0, 3)) + cell("E", solid({4.2, 0, 10, 3}, 0, 3));
+  for (const std::string at : {"4", "4.1", "4.2", "4.5", "3.7"}) {
+    auto all = read(
+        document(rooms + boundary("door", "<duality xlink:href='#t'/>", at + " 1 " + at + " 2")));
+    auto& features = all["IndoorGML"];
+    const double walls = length(features["W"].geometry) + length(features["E"].geometry);
+    EXPECT_NEAR(walls, (14 - 1) + (17.6 - 1) + 2 * 0.2, 1e-9) << at;  // two jambs
+    ASSERT_EQ(features["door"].warnings.size(), 1U) << at;
+    EXPECT_NE(features["door"].warnings[0].find("beside a face of its wall"), std::string::npos);
+  }
+}
+
+TEST_F(IndoorGml, DoorsOpenNoWallBeyondTheirOwn) {
+  // Rooms 0.7 m apart are not two faces of one wall; a corridor's other wall is not the door's.
+  auto apart =
+      read(document(cell("W", solid(kWest, 0, 3)) + cell("E", solid({4.7, 0, 10, 3}, 0, 3)) +
+                    boundary("door", "<duality xlink:href='#t'/>", "4 1 4 2")))["IndoorGML"];
+  EXPECT_NEAR(length(apart["W"].geometry), 13, 1e-9);
+  EXPECT_NEAR(length(apart["E"].geometry), 16.6, 1e-9);
+  auto shaft =
+      read(document(cell("W", solid(kWest, 0, 3)) + cell("S", solid({4.1, 0, 4.5, 3}, 0, 3)) +
+                    cell("E", solid({4.6, 0, 10, 3}, 0, 3)) +
+                    boundary("door", "<duality xlink:href='#t'/>", "4 1 4 2")))["IndoorGML"];
+  EXPECT_NEAR(length(shaft["E"].geometry), 2 * (5.4 + 3), 1e-9);
+  EXPECT_NEAR(length(shaft["S"].geometry), 2 * (0.4 + 3) - 1 + 2 * 0.1, 1e-9);
+}
+
+TEST_F(IndoorGml, DoorsAtNoWallAreTold) {
+  const auto content = document(cell("W", solid(kWest, 0, 3)) +
+                                boundary("lost", "<duality xlink:href='#t'/>", "2 1 2 2"));
+  auto reader = open(content);
+  ASSERT_TRUE(reader);
+  const auto warnings = (*reader)->take_warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("1 door lies at no wall and open"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("lost"), std::string::npos);
+  auto features = read(content)["IndoorGML"];
+  EXPECT_NEAR(length(features["W"].geometry), 14, 1e-9);
+  ASSERT_EQ(features["lost"].warnings.size(), 1U);
+  EXPECT_NE(features["lost"].warnings[0].find("at no wall"), std::string::npos);
+}
+
 TEST_F(IndoorGml, WindowsAreNoWayThrough) {
   const Room window{4, 1, 4.2, 2};
   const std::string graph =

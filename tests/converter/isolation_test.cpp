@@ -103,6 +103,27 @@ OpenedReader open(FakeReader::Fault fault) {
   });
 }
 
+// Only what is asked for goes from process to process.
+TEST(IsolatedReader, HandsOverTheFieldsAskedFor) {
+  auto reader = open(FakeReader::Fault::kNone);
+  ASSERT_TRUE(reader);
+  ReadOptions options;
+  options.fields = {"name"};
+  for (int round = 0; round < 2; ++round) {
+    int i = 0;
+    const auto count = (*reader)->read(0, options, [&](SourceFeature& feature) {
+      SourceFeature expected;
+      FakeReader::fill(expected, i++);
+      ASSERT_EQ(feature.values.size(), 2U);
+      EXPECT_EQ(feature.values[0].index(), 0U);
+      EXPECT_EQ(feature.values[1], expected.values[1]);
+    });
+    EXPECT_EQ(count.value_or(0), 3000U);
+    // What one reading asked for is not left to the next.
+    ASSERT_TRUE((*reader)->read(0, {}, [](SourceFeature&) {}));
+  }
+}
+
 TEST(IsolatedReader, HandsOverWhatTheReaderReads) {
   auto reader = open(FakeReader::Fault::kNone);
   ASSERT_TRUE(reader) << reader.error().message;

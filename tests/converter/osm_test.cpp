@@ -59,6 +59,25 @@ class Osm : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+// Of nodes with one id the last counts, in whatever order they come; ways may say where nodes lie
+// (Overpass), and count where no node says it.
+TEST_F(Osm, PlacesOfNodes) {
+  std::string many;
+  for (int i = 400; i > 0; --i) many += node(-i, 0.5, 0.001 * i);
+  auto all = read(many + node(7, 0.1, 0.1) + node(5, 0.2, 0.3) + node(7, 0.4, 0.6) +
+                  way(1, {5, 7, -250, -400}, tag("barrier", "wall")));
+  const auto& g = all.features.at("lines").at(0).geometry;
+  EXPECT_EQ(g.xs, (std::vector<double>{0.3, 0.6, 0.25, 0.4}));
+  EXPECT_EQ(g.ys, (std::vector<double>{0.2, 0.4, 0.5, 0.5}));
+  auto given =
+      read(node(1, 0.1, 0.2) +
+           "<way id='3'><nd ref='1' lat='0.9' lon='0.9'/><nd ref='2' lat='0.5' lon='0.6'/>" +
+           tag("barrier", "wall") +
+           "</way><way id='4'><nd ref='2' lat='0.7' lon='0.7'/>"
+           "<nd ref='1'/></way>");
+  EXPECT_EQ(given.features.at("lines").at(0).geometry.xs, (std::vector<double>{0.2, 0.6}));
+}
+
 TEST_F(Osm, SortsWaysIntoLinesAndPolygons) {
   const auto all = read(square(1, 0.0, 0.001) + way(10, {1, 2, 3, 4, 1}, tag("building", "yes")) +
                         way(11, {1, 2, 3, 4, 1}, tag("barrier", "wall")) +

@@ -107,8 +107,9 @@ constexpr const char* kHead = R"(# Every file of the real data
 Made by `build/dev/tests/sources/source_survey build/dev/cli/mapwright ../shared/data > docs/source-survey.md`; not edited by hand. Each
 file goes through `mapwright convert FILE -o map.txt --report ledger.json`, and once more with `--local` where it states no CRS.
 *Features* is all = written + changed + dropped, as the ledger has them; *reasons* counts the ledger's codes ([pages](checks/README.md));
-the message is the first error, else the first warning, with the file's path as "…". A test (`SourceSurvey`) runs the same files and
-fails for a crash, a hang, a ledger that does not balance, or exit status 0 with features lost.
+*s* is processor time, of all processes and on all cores; the message is the first error, else the first warning, with the file's path
+as "…". A test (`SourceSurvey`) runs the same files and fails for a crash, a hang, five seconds of processor time, a ledger that does not
+balance, or exit status 0 with features lost; for the files of `1_gis` also if the CRS they state is doubted.
 
 | file | exit | features | reasons | s | message |
 |---|---|---|---|---|---|

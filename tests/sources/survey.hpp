@@ -14,7 +14,8 @@ struct SurveyRow {
   std::string options;  ///< beyond the file and the output: "--local" where it states no CRS
   int status = 0;       ///< exit status, or 128 + the signal that ended it
   bool hung = false;
-  double seconds = 0.0;
+  double seconds = 0.0;     ///< of processor time, in all its processes
+  bool doubts_crs = false;  ///< a warning says that the stated CRS is hard to believe
   bool has_ledger = false;
   std::size_t features = 0, written = 0, changed = 0, dropped = 0;
   std::map<std::string, std::size_t> codes;  ///< reasons of the ledger, by code
