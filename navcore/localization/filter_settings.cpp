@@ -9,6 +9,18 @@ FilterSettings report_settings() {
   return settings;
 }
 
+namespace {
+
+PlaceSettings place_settings() {
+  PlaceSettings places;
+  places.first_stages = {{0.15, 0.3}, {0.1, 0.45}, {0.06, 0.6}};
+  places.stages = {{0.4, 0.06}, {0.15, 0.25}, {0.08, 0.5}, {0.06, 0.6}};
+  places.tracked_from_stage = 2;
+  return places;
+}
+
+}  // namespace
+
 FilterSettings robust_settings() {
   FilterSettings settings;
   settings.likelihood = {LikelihoodKind::kRobust, 1.0, 1.0, 0.5, 0.15};
@@ -23,6 +35,7 @@ FilterSettings robust_settings() {
   settings.elsewhere_particles = 3000;
   settings.elsewhere_worth = 1e-6;
   settings.settled_share = 0.99;
+  settings.places = place_settings();
   return settings;
 }
 

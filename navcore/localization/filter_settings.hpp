@@ -3,12 +3,46 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "navcore/localization/kld_sampling.hpp"
 #include "navcore/localization/likelihood.hpp"
 #include "navcore/sensors/odometry.hpp"
 
 namespace mapwright::navcore {
+
+/// One look at a scan, blunter or sharper than others.
+struct PlaceStage {
+  double sigma_m = 0.15;  ///< σm
+  double temper = 0.3;    ///< τ
+};
+
+/// How a filter that tracks many places (PlaceFilter) weighs them against each other.
+struct PlaceSettings {
+  std::vector<PlaceStage> first_stages;  ///< for the first scan of a lost robot, after the search
+  std::vector<PlaceStage> stages;        ///< for each other scan
+  std::size_t tracked_from_stage = 0;    ///< of `stages`: what is tracked needs no blunt look
+  std::size_t first_particles = 20000;   ///< that the first scan of a lost robot is weighed by
+  std::size_t least_particles = 120;     ///< of a place
+  double negligible = 1e-9;              ///< places with less of the weight are given up
+  std::size_t most_places = 300;
+
+  /// Of the extra particles that stand for somewhere else, so many cells are looked at, those that
+  /// agree best with the scan, each with so many particles.
+  std::size_t elsewhere_places = 24;
+  std::size_t elsewhere_particles = 40;
+
+  /// A disc of this radius does not drive through what blocks it: a particle that would have had to
+  /// loses all but this share of its weight. Not all: maps are drawn by people.
+  double robot_radius_m = 0.0;
+  double through_barrier = 0.01;
+
+  /// Once one mode has held this share of the weight for so many scans in a row, fewer particles go
+  /// on. More than 1: never.
+  double settled_share = 0.99;
+  std::size_t settled_after = 3;
+  std::size_t settled_particles = 1500;
+};
 
 /// How a filter searches and tracks. `report_settings` and `robust_settings` give sets that belong
 /// together; docs/localization.md says where the numbers come from.
@@ -70,6 +104,10 @@ struct FilterSettings {
   double nearby_share = 0.0;
   double nearby_m = 0.3;
   double nearby_deg = 15.0;
+
+  /// With them the default's PlaceFilter goes on from the search with the first scan; a
+  /// ParticleFilter does without.
+  std::optional<PlaceSettings> places;
 
   std::optional<KldSettings> kld;  ///< adaptive NP, from kld->least to `particles`
 

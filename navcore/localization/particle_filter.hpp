@@ -9,18 +9,13 @@
 
 #include "navcore/free_space.hpp"
 #include "navcore/localization/filter_settings.hpp"
+#include "navcore/localization/heading_prior.hpp"
 #include "navcore/localization/particles.hpp"
-#include "navcore/localization/pose_estimate.hpp"
+#include "navcore/localization/pose_filter.hpp"
 #include "navcore/localization/scan_weigher.hpp"
 #include "navcore/sensors/odometry.hpp"
 
 namespace mapwright::navcore {
-
-/// A compass reading and its standard deviation.
-struct HeadingPrior {
-  Angle heading;
-  double sigma_deg = 0.0;
-};
 
 /// How a filter looks at scans from now on.
 struct ScanLook {
@@ -34,30 +29,19 @@ struct ScanLook {
   double nearby_share = 0.0;  ///< as in FilterSettings
 };
 
-/// What an update did.
-struct UpdateReport {
-  std::size_t particles = 0;         ///< that were scored
-  double effective_particles = 0.0;  ///< the whole scan's weights leave, unresampled
-  bool contradicted = false;         ///< the scan was impossible at each particle; weights kept
-  bool resampled = false;
-};
-
 /// Particle filter (report, section 4.1, figure 4). The same settings, seed and inputs give the
 /// same particles for any number of threads: every particle draws from a stream of its own.
-class ParticleFilter {
+class ParticleFilter final : public PoseFilter {
  public:
   /// Keeps a reference to `weigher`, which must outlive the filter.
   ParticleFilter(const ScanWeigher& weigher, const LaserModel& laser,
                  const FilterSettings& settings, std::uint64_t seed);
 
-  /// Anywhere in free space, heading uniform or near the compass reading. False if there is no free
-  /// space. The filter keeps a reference to `space`: particles do not move into solids.
-  bool start_anywhere(const FreeSpace& space, const std::optional<HeadingPrior>& heading);
+  /// As in PoseFilter: particles do not move into solids.
+  bool start_anywhere(const FreeSpace& space, const std::optional<HeadingPrior>& heading) override;
 
-  /// Near a pose: position tracking. Gaussian with these standard deviations. With `space` (kept,
-  /// as above) the robot may turn out to be elsewhere.
   void start_at(const Pose& pose, double sigma_m, double sigma_deg,
-                const FreeSpace* space = nullptr);
+                const FreeSpace* space = nullptr) override;
 
   /// From the next scan on (adaptive NL and NP). `look.weigher` must outlive the filter.
   void use(const ScanLook& look);
@@ -65,14 +49,9 @@ class ParticleFilter {
   /// Goes on from these particles, which something else has found. `space` as in start_at.
   void take(ParticleSet particles, const FreeSpace* space);
 
-  /// The robot moved; encoders say how.
-  void move(const OdometryStep& step);
-
-  /// The robot took a scan of laser.rays ranges.
-  UpdateReport update(std::span<const double> scan);
-
-  const ParticleSet& particles() const { return particles_; }
-  PoseEstimate estimate() const { return estimate_pose(particles_); }
+  void move(const OdometryStep& step) override;
+  UpdateReport update(std::span<const double> scan) override;
+  const ParticleSet& particles() const override { return particles_; }
 
  private:
   /// What the particles are to be distributed by: the prior × exp(exponent × log factor).
