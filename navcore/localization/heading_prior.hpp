@@ -18,7 +18,7 @@ struct HeadingPrior {
 /// From the reading's normal distribution; without one, from all headings alike.
 Angle draw_heading(const std::optional<HeadingPrior>& prior, Random& random);
 
-/// Logarithm of the probability a radian. Requires sigma_deg > 0.
+/// Logarithm of the probability a radian.
 double log_density(const std::optional<HeadingPrior>& prior, Angle heading);
 
 /// A compass reading carried along by what the encoders say.

@@ -38,12 +38,13 @@ struct PlaceSample {
 };
 
 /// In each place particles are drawn around where the stage before has found the scan to agree, and
-/// weighed in the last stage by prior × likelihood^τ / density they were drawn with. Their mean is
-/// an unbiased estimate of how likely the scan is if the robot is at that place, whatever
-/// number of particles a place has, and with little noise, because they are drawn where the weight
-/// is (Cappé, Guillin, Marin, Robert, Population Monte Carlo, 2004; a normal distribution for each
-/// place: Kotecha, Djurić, Gaussian sum particle filtering, 2003). Place k draws from the stream
-/// `first_stream` + k of `seed`.
+/// weighed in the last stage by prior × likelihood^τ / density they were drawn with. Their mean
+/// estimates how likely the scan is if the robot is at that place, whatever number of particles a
+/// place has, and with little noise, because they are drawn where the weight is. The last stage is
+/// repeated in places where a smaller effective share than 0.3 of the particles matters (Cappé,
+/// Guillin, Marin, Robert, Population Monte Carlo, 2004; a normal distribution for each place:
+/// Kotecha, Djurić, Gaussian sum particle filtering, 2003). Place k draws from the stream
+/// `first_stream` + k of `seed`. Requires stages, and places that begin by the last one.
 PlaceSample sample_places(std::vector<Place> places, std::span<const PlaceStage> stages,
                           const ScanEvidence& evidence, std::uint64_t seed,
                           std::uint64_t first_stream);
