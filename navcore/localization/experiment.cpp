@@ -93,6 +93,7 @@ IterationRecord record(std::size_t n, const UpdateReport& update, const PoseFilt
   result.heading_error =
       Angle::from_radians(std::abs((result.estimate.pose.theta - truth.theta).wrapped().radians()));
   result.believes = believes_converged(result.estimate);
+  result.claim = share_within(filter.particles(), result.estimate.pose, kRight_m, kRight_deg);
   result.truth_share = share_around(filter.particles(), truth);
   return result;
 }

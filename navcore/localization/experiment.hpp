@@ -61,6 +61,7 @@ struct IterationRecord {
   /// How much better the true pose explains the scan than the estimate does: difference of the
   /// logarithms of the scan's factor (likelihood.hpp), untempered.
   double truth_advantage = 0.0;
+  double claim = 0.0;        ///< weight within kRight_m and kRight_deg of the estimate
   double truth_share = 0.0;  ///< weight of the particles within a mode's reach of the truth
   std::vector<double> scan;  ///< with keep_particles: as perceived
   ParticleSet particles;     ///< with keep_particles

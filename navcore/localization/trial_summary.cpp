@@ -37,7 +37,7 @@ std::vector<TrialSummary::Reliability> reliability(std::span<const ExperimentRun
   for (const double share : kShares) rows.push_back({share, 0, 0.0, 0});
   for (const auto& run : runs) {
     for (const auto& iteration : run.iterations) {
-      const double share = iteration.estimate.mode_share;
+      const double share = iteration.claim;
       const auto row = std::upper_bound(kShares.begin(), kShares.end(), share) - kShares.begin();
       auto& reliability = rows[static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, row)) - 1];
       ++reliability.iterations;

@@ -30,8 +30,9 @@ struct TrialSummary {
     MedianAndP95 position_error_m;
   };
 
-  /// How far the filter is to be believed: all iterations of all runs in which the heaviest mode
-  /// held at least this share of the weight and less than the next line's.
+  /// How far the filter is to be believed: all iterations of all runs in which at least this share
+  /// of the weight, and less than the next line's, lay where the estimate would be called right
+  /// (IterationRecord::claim).
   struct Reliability {
     double from_share = 0.0;
     std::size_t iterations = 0;

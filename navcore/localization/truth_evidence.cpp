@@ -53,18 +53,6 @@ ParticleSet both_starts(const Journey& journey, const Pose& estimate, std::uint6
   return cloud;
 }
 
-double share_within(const ParticleSet& particles, const Pose& pose, double limit_m,
-                    double limit_deg) {
-  double share = 0.0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Pose& p = particles.poses[i];
-    const bool near = distance(p.position(), pose.position()) <= limit_m &&
-                      std::abs((p.theta - pose.theta).wrapped().degrees()) <= limit_deg;
-    if (near) share += particles.weights[i];
-  }
-  return share;
-}
-
 }  // namespace
 
 Pose carried_along(const Pose& pose, const Pose& from, const Pose& to) {

@@ -144,6 +144,8 @@ TEST_F(Localization, SaysHowMuchWeightIsLeftAtTheTruth) {
   const ParticleSet set{{{0, 0, Angle()}, {0.5, 0, Angle()}, {3, 0, Angle()}}, {0.2, 0.3, 0.5}};
   EXPECT_DOUBLE_EQ(share_around(set, {0, 0, Angle()}), 0.5);
   EXPECT_DOUBLE_EQ(share_around(set, {9, 0, Angle()}), 0.0);
+  EXPECT_DOUBLE_EQ(share_within(set, {0.3, 0, Angle()}, 0.25, 5.0), 0.3);
+  EXPECT_DOUBLE_EQ(share_within(set, {0.3, 0, Angle::from_degrees(6)}, 0.25, 5.0), 0.0);
 }
 
 TEST_F(Localization, FindsAKidnappedRobotAgain) {

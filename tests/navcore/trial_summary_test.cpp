@@ -18,6 +18,7 @@ ExperimentRun run_of(const std::vector<double>& shares, const std::vector<double
     IterationRecord record;
     record.n = i + 1;
     record.estimate.mode_share = shares[i];
+    record.claim = shares[i];
     record.position_error_m = errors_m[i];
     record.believes = believes_converged(record.estimate);
     run.iterations.push_back(record);
