@@ -84,6 +84,7 @@ Json run_summary_json(const navcore::ExperimentRun& run) {
   json["heading_error_deg"] = last.heading_error.degrees();
   json["truth_advantage"] = run.truth_advantage();
   json["truth_share"] = last.truth_share;
+  json["truth_evidence"] = run.truth_evidence ? Json(*run.truth_evidence) : Json(nullptr);
   json["estimate"] = pose_json(last.estimate.pose);
   json["true_pose"] = pose_json(last.true_pose);
   return json;

@@ -27,12 +27,13 @@ void write_wrong_runs(std::ostream& out, const std::vector<navcore::ExperimentRu
   if (summary.depleted + summary.alike == 0) return;
   print(out, "wrong at the end %zu: the true place lost %zu, places alike %zu\n",
         summary.depleted + summary.alike, summary.depleted, summary.alike);
-  out << "  seed  error m  share  share of the truth  truth explains better by\n";
+  out << "  seed  error m  share  share of the truth  evidence for the truth\n";
   for (const auto& run : runs) {
     const auto& last = run.iterations.back();
     if (last.is_right()) continue;
-    print(out, "%6llu %8.2f %6.2f %19.1e %25.1f\n", static_cast<unsigned long long>(run.seed),
-          last.position_error_m, last.estimate.mode_share, last.truth_share, run.truth_advantage());
+    print(out, "%6llu %8.2f %6.2f %19.1e %23.2f\n", static_cast<unsigned long long>(run.seed),
+          last.position_error_m, last.estimate.mode_share, last.truth_share,
+          run.truth_evidence.value_or(0.0));
   }
 }
 

@@ -121,7 +121,8 @@ void Localize::declare(po::options_description& options,
 void Localize::declare_filter_options(po::options_description& options) {
   auto add = options.add_options();
   add("likelihood", text_value("robust"), "robust, or report: Eq. (4)-(6) to the letter");
-  add("particles", text_value("6000"), "number of particles");
+  add("particles", text_value("6000"),
+      "number of particles, about; with robust each place has some");
   add("first-particles", po::value<std::string>(),
       "scored against the first scan only [robust: 50000, report: as --particles]");
   add("alpha", text_value("1"), "weight of the normal part of Eq. (5)");
@@ -259,8 +260,7 @@ ExitStatus Localize::run_often(const Map& map, const navcore::FreeSpace& space,
   const auto runs = value_or_throw(navcore::run_trials(space, engine.caster(), engine.weigher(),
                                                        question_.settings, trials_, question_.seed,
                                                        threads_, console.progress("localizing")));
-  const TrialsAnswer answer{navcore::summarize(runs, question_.settings.filter.temper),
-                            tracking(map, runs)};
+  const TrialsAnswer answer{navcore::summarize(runs), tracking(map, runs)};
   const navcore::TrialSummary& summary = answer.summary;
   if (json_) {
     write_trials_json(console.out(), question_, runs, answer);

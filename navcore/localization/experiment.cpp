@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "navcore/localization/place_filter.hpp"
 #include "navcore/localization/roaming.hpp"
+#include "navcore/localization/truth_evidence.hpp"
 #include "navcore/parallel.hpp"
 
 namespace mapwright::navcore {
@@ -68,18 +70,17 @@ std::optional<Pose> belief(const ExperimentSettings& settings, const Pose& truth
   return Pose{truth.x + dx, truth.y + dy, (truth.theta + turn).wrapped()};
 }
 
-bool start_filter(ParticleFilter& filter, const FreeSpace& space, Robot& robot,
-                  const ExperimentSettings& settings, std::uint64_t seed) {
+bool start_filter(PoseFilter& filter, const FreeSpace& space, Robot& robot,
+                  const ExperimentSettings& settings, std::uint64_t seed, Journey& journey) {
   if (const auto pose = belief(settings, robot.pose(), seed)) {
     filter.start_at(*pose, settings.initial_sigma_m, settings.initial_sigma_deg);
     return true;
   }
-  std::optional<HeadingPrior> heading;
-  if (settings.heading_known) heading = robot.compass();
-  return filter.start_anywhere(space, heading);
+  if (settings.heading_known) journey.compass = robot.compass();
+  return filter.start_anywhere(space, journey.compass);
 }
 
-IterationRecord record(std::size_t n, const UpdateReport& update, const ParticleFilter& filter,
+IterationRecord record(std::size_t n, const UpdateReport& update, const PoseFilter& filter,
                        const Robot& robot) {
   const Pose& truth = robot.pose();
   IterationRecord result;
@@ -92,6 +93,7 @@ IterationRecord record(std::size_t n, const UpdateReport& update, const Particle
   result.heading_error =
       Angle::from_radians(std::abs((result.estimate.pose.theta - truth.theta).wrapped().radians()));
   result.believes = believes_converged(result.estimate);
+  result.claim = share_within(filter.particles(), result.estimate.pose, kRight_m, kRight_deg);
   result.truth_share = share_around(filter.particles(), truth);
   return result;
 }
@@ -102,6 +104,14 @@ double truth_advantage(const ScanWeigher& weigher, const ExperimentSettings& set
   std::array<double, 2> factors{};
   weigher.weigh(scan, settings.laser, settings.filter.likelihood, poses, factors, 1);
   return factors[0] - factors[1];
+}
+
+void judge(ExperimentRun& run, const Journey& journey, const ScanWeigher& weigher,
+           const ExperimentSettings& settings) {
+  if (run.iterations.empty() || run.iterations.back().is_right()) return;
+  run.truth_evidence =
+      evidence_for_truth(weigher, settings.laser, settings.filter.odometry, journey,
+                         run.iterations.back().estimate.pose, kRight_m, kRight_deg, run.seed);
 }
 
 }  // namespace
@@ -148,22 +158,29 @@ Result<ExperimentRun> run_experiment(const FreeSpace& space, const RayCaster& ca
                          std::to_string(start.y) + "): it is no free space");
   }
   Robot robot(space, caster, settings, start, seed);
-  ParticleFilter filter(weigher, settings.laser, settings.filter, seed);
-  if (!start_filter(filter, space, robot, settings, seed)) {
+  FilterSettings filter_settings = settings.filter;
+  if (filter_settings.places) filter_settings.places->robot_radius_m = settings.robot_radius_m;
+  const auto filter = make_filter(weigher, settings.laser, filter_settings, seed);
+  Journey journey;
+  if (!start_filter(*filter, space, robot, settings, seed, journey)) {
     return usage_failure("the map has no free space to search");
   }
-  ExperimentRun run{seed, start, {}};
+  ExperimentRun run{seed, start, {}, {}};
   for (std::size_t n = 1; n <= settings.iterations; ++n) {
-    if (n > 1) filter.move(robot.drive());
-    std::vector<double> scan = robot.scan();
-    const UpdateReport update = filter.update(scan);
-    run.iterations.push_back(record(n, update, filter, robot));
+    journey.steps.push_back(n > 1 ? robot.drive() : OdometryStep());
+    if (n > 1) filter->move(journey.steps.back());
+    journey.true_poses.push_back(robot.pose());
+    journey.scans.push_back(robot.scan());
+    const std::vector<double>& scan = journey.scans.back();
+    const UpdateReport update = filter->update(scan);
+    run.iterations.push_back(record(n, update, *filter, robot));
     IterationRecord& last = run.iterations.back();
     last.truth_advantage = truth_advantage(weigher, settings, scan, last);
     if (!settings.keep_particles) continue;
-    last.scan = std::move(scan);
-    last.particles = filter.particles();
+    last.scan = scan;
+    last.particles = filter->particles();
   }
+  judge(run, journey, weigher, settings);
   return run;
 }
 

@@ -39,6 +39,9 @@ struct ExperimentSettings {
 inline constexpr double kRight_m = 0.5;
 inline constexpr double kRight_deg = 5.0;
 
+/// A wrong place was not worth believing where the scans give the truth this probability.
+inline constexpr double kDecided = 0.95;
+
 /// The filter takes itself for converged when one mode holds this share of the weight, and its
 /// particles spread no further than kRight_m.
 inline constexpr double kConvergedShare = 0.95;
@@ -56,10 +59,9 @@ struct IterationRecord {
   Angle heading_error;    ///< >= 0
   bool believes = false;  ///< the filter takes itself for converged
   /// How much better the true pose explains the scan than the estimate does: difference of the
-  /// logarithms of the scan's factor (likelihood.hpp), untempered. Where an estimate that is wrong
-  /// has a large one, the true place was lost among the particles; with one near 0 the places look
-  /// alike.
+  /// logarithms of the scan's factor (likelihood.hpp), untempered.
   double truth_advantage = 0.0;
+  double claim = 0.0;        ///< weight within kRight_m and kRight_deg of the estimate
   double truth_share = 0.0;  ///< weight of the particles within a mode's reach of the truth
   std::vector<double> scan;  ///< with keep_particles: as perceived
   ParticleSet particles;     ///< with keep_particles
@@ -74,10 +76,17 @@ struct ExperimentRun {
   Pose start;  ///< true pose at the first iteration
   std::vector<IterationRecord> iterations;
 
+  /// Of a run that is wrong at its end: the probability of the truth if only that and the place
+  /// taken for it are possible (evidence_for_truth).
+  std::optional<double> truth_evidence;
+
   /// The filter believes to be converged at the end, and is right.
   bool converged() const;
   /// The filter believes to be converged at the end, and is wrong.
   bool mistaken() const;
+  /// Wrong at the end, although the scans decide for the truth: the true place was lost. Where they
+  /// do not, the places look alike.
+  bool lost() const { return truth_evidence.value_or(0.0) >= kDecided; }
   /// The sum over all iterations.
   double truth_advantage() const;
   /// First iteration (1-based) from which on the estimate stays right; nothing if it is wrong at

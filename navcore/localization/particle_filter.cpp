@@ -27,22 +27,6 @@ Pose shaken(const Pose& pose, double sigma_m, double sigma_deg, Random& random) 
   return {pose.x + dx, pose.y + dy, (pose.theta + turn).wrapped()};
 }
 
-Angle draw_heading(const std::optional<HeadingPrior>& prior, Random& random) {
-  if (!prior) return Angle::from_radians(random.uniform(-std::numbers::pi, std::numbers::pi));
-  return (prior->heading + Angle::from_degrees(random.normal(0.0, prior->sigma_deg))).wrapped();
-}
-
-// A compass reading carried along by what the encoders say.
-HeadingPrior turned(const HeadingPrior& heading, const OdometryStep& step,
-                    const OdometryNoise& noise) {
-  const double before = noise.turn_per_turn * step.turn_before.wrapped().degrees();
-  const double after = noise.turn_per_turn * step.turn_after.wrapped().degrees();
-  const double way = Angle::from_radians(noise.turn_per_metre * step.distance_m).degrees();
-  const double error = std::hypot(std::hypot(before, after), std::numbers::sqrt2 * way);
-  return {heading.heading + step.turn_before + step.turn_after,
-          std::hypot(heading.sigma_deg, error)};
-}
-
 }  // namespace
 
 ParticleFilter::ParticleFilter(const ScanWeigher& weigher, const LaserModel& laser,
@@ -382,30 +366,6 @@ void ParticleFilter::sweep(const Target& target, std::span<const double> scan) {
     poses[i] = proposals[i];
     factors_[i] = factors[i];
   }
-}
-
-FilterSettings report_settings() {
-  FilterSettings settings;
-  settings.first_particles = settings.particles;
-  settings.likelihood = report_likelihood();
-  return settings;
-}
-
-FilterSettings robust_settings() {
-  FilterSettings settings;
-  settings.likelihood = {LikelihoodKind::kRobust, 1.0, 1.0, 0.5, 0.15};
-  settings.temper = 0.3;
-  settings.first_stages = 8;
-  settings.first_sigma_m = 0.75;
-  settings.keep_effective = 1.0;
-  settings.sweeps = 1;
-  settings.first_sweeps = 2;
-  settings.place_power = 0.5;
-  settings.elsewhere = 1e-3;
-  settings.elsewhere_particles = 3000;
-  settings.elsewhere_worth = 1e-6;
-  settings.settled_share = 0.99;
-  return settings;
 }
 
 }  // namespace mapwright::navcore

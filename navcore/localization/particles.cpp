@@ -1,44 +1,15 @@
 #include "navcore/localization/particles.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "navcore/localization/place_cells.hpp"
+
 namespace mapwright::navcore {
 namespace {
-
-constexpr double kCell_m = 1.0;
-constexpr double kCell_deg = 20.0;
-
-std::array<std::int64_t, 3> cell_of(const Pose& pose) {
-  const auto number = [](double value, double size) {
-    return static_cast<std::int64_t>(std::floor(value / size));
-  };
-  return {number(pose.x, kCell_m), number(pose.y, kCell_m),
-          number(pose.theta.wrapped().degrees(), kCell_deg)};
-}
-
-/// Particles in order of place, and where each cell's begin.
-struct Cells {
-  std::vector<std::uint32_t> order;
-  std::vector<std::size_t> begins;  ///< into `order`; the last is its size
-};
-
-Cells sorted_into_cells(std::span<const Pose> poses) {
-  std::vector<std::pair<std::array<std::int64_t, 3>, std::uint32_t>> keyed(poses.size());
-  for (std::uint32_t i = 0; i < poses.size(); ++i) keyed[i] = {cell_of(poses[i]), i};
-  std::sort(keyed.begin(), keyed.end());
-  Cells cells;
-  for (std::size_t i = 0; i < keyed.size(); ++i) {
-    if (i == 0 || keyed[i].first != keyed[i - 1].first) cells.begins.push_back(i);
-    cells.order.push_back(keyed[i].second);
-  }
-  cells.begins.push_back(keyed.size());
-  return cells;
-}
 
 void normalise(std::vector<double>& weights) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -99,7 +70,7 @@ Sample sample_by_weight(const ParticleSet& particles, std::size_t count, Random&
 
 Sample sample_by_place(const ParticleSet& particles, std::size_t count, double power,
                        Random& random) {
-  const Cells cells = sorted_into_cells(particles.poses);
+  const CellOrder cells = sorted_into_cells(particles.poses);
   std::vector<double> priorities(particles.size());  // in order of place
   std::vector<double> corrections(particles.size());
   std::vector<std::uint32_t> cell_of_place(particles.size());

@@ -83,6 +83,11 @@ Pose PoseBelief::at(const Deviate& deviate) const {
   return {mean_.x + off[0], mean_.y + off[1], wrapped(mean_.theta + Angle::from_radians(off[2]))};
 }
 
+double PoseBelief::log_normaliser() const {
+  const double volume = factor_[0][0] * factor_[1][1] * factor_[2][2];
+  return -1.5 * std::log(2.0 * std::numbers::pi) - std::log(volume);
+}
+
 double PoseBelief::log_density(const Pose& pose) const {
   const Vector off{pose.x - mean_.x, pose.y - mean_.y, wrapped(pose.theta - mean_.theta).radians()};
   Vector z{};

@@ -32,6 +32,10 @@ class PoseBelief {
   /// Up to a constant, the same for all poses.
   double log_density(const Pose& pose) const;
 
+  /// That constant: with it, log_density is the logarithm of a probability a m² a radian. Another
+  /// for each belief: beliefs are weighed against each other with it.
+  double log_normaliser() const;
+
  private:
   using Vector = std::array<double, 3>;
 

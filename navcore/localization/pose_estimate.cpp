@@ -155,6 +155,18 @@ PoseEstimate estimate_pose(const ParticleSet& particles) {
           spread_around(particles, centre.position())};
 }
 
+double share_within(const ParticleSet& particles, const Pose& pose, double limit_m,
+                    double limit_deg) {
+  double share = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Pose& p = particles.poses[i];
+    const bool near = distance(p.position(), pose.position()) <= limit_m &&
+                      std::abs((p.theta - pose.theta).wrapped().degrees()) <= limit_deg;
+    if (near) share += particles.weights[i];
+  }
+  return share;
+}
+
 double share_around(const ParticleSet& particles, const Pose& pose) {
   return look_around(particles, pose).weight;
 }

@@ -22,6 +22,10 @@ inline constexpr double kModeHeading_deg = 20.0;
 /// so the estimate is the mean of one mode and never of all. Requires a non-empty set.
 PoseEstimate estimate_pose(const ParticleSet& particles);
 
+/// Weight of the particles within `limit_m` and `limit_deg` of a pose, in [0, 1].
+double share_within(const ParticleSet& particles, const Pose& pose, double limit_m,
+                    double limit_deg);
+
 /// Weight of the particles within kModeRadius_m and kModeHeading_deg of a pose, in [0, 1].
 double share_around(const ParticleSet& particles, const Pose& pose);
 

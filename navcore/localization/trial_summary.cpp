@@ -37,7 +37,7 @@ std::vector<TrialSummary::Reliability> reliability(std::span<const ExperimentRun
   for (const double share : kShares) rows.push_back({share, 0, 0.0, 0});
   for (const auto& run : runs) {
     for (const auto& iteration : run.iterations) {
-      const double share = iteration.estimate.mode_share;
+      const double share = iteration.claim;
       const auto row = std::upper_bound(kShares.begin(), kShares.end(), share) - kShares.begin();
       auto& reliability = rows[static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, row)) - 1];
       ++reliability.iterations;
@@ -61,11 +61,6 @@ void count_beliefs(const ExperimentRun& run, TrialSummary& summary) {
 
 }  // namespace
 
-bool depleted(const ExperimentRun& run, double temper) {
-  return !run.iterations.back().is_right() &&
-         temper * run.truth_advantage() > static_cast<double>(run.iterations.size());
-}
-
 std::optional<double> quantile(std::vector<double> values, double q) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
@@ -81,7 +76,7 @@ std::optional<MedianAndP95> median_and_p95(const std::vector<double>& values) {
   return MedianAndP95{*median, *quantile(values, 0.95)};
 }
 
-TrialSummary summarize(std::span<const ExperimentRun> runs, double temper) {
+TrialSummary summarize(std::span<const ExperimentRun> runs) {
   TrialSummary summary;
   summary.trials = runs.size();
   std::vector<double> iterations, errors_m;
@@ -89,7 +84,7 @@ TrialSummary summarize(std::span<const ExperimentRun> runs, double temper) {
     if (run.mistaken()) ++summary.mistaken;
     count_beliefs(run, summary);
     if (!run.iterations.back().is_right()) {
-      ++(depleted(run, temper) ? summary.depleted : summary.alike);
+      ++(run.lost() ? summary.depleted : summary.alike);
     }
     errors_m.push_back(run.iterations.back().position_error_m);
     if (!run.converged()) continue;

@@ -30,8 +30,9 @@ struct TrialSummary {
     MedianAndP95 position_error_m;
   };
 
-  /// How far the filter is to be believed: all iterations of all runs in which the heaviest mode
-  /// held at least this share of the weight and less than the next line's.
+  /// How far the filter is to be believed: all iterations of all runs in which at least this share
+  /// of the weight, and less than the next line's, lay where the estimate would be called right
+  /// (IterationRecord::claim).
   struct Reliability {
     double from_share = 0.0;
     std::size_t iterations = 0;
@@ -42,9 +43,9 @@ struct TrialSummary {
   std::size_t trials = 0;
   std::size_t converged = 0;
   std::size_t mistaken = 0;
-  std::size_t depleted = 0;  ///< wrong at the end, and the true place had died out: see depleted()
-  std::size_t alike = 0;     ///< wrong at the end, and the scans hardly told the places apart
-  std::size_t sure = 0;      ///< iterations of all runs that believed to be converged …
+  std::size_t depleted = 0;    ///< wrong at the end, although the scans decide for the truth
+  std::size_t alike = 0;       ///< wrong at the end, and the scans do not
+  std::size_t sure = 0;        ///< iterations of all runs that believed to be converged …
   std::size_t sure_right = 0;  ///< … and were right
   std::vector<Reliability> reliability;
   std::optional<MedianAndP95> iterations_to_converge;  ///< of the runs that converged
@@ -52,11 +53,6 @@ struct TrialSummary {
   std::vector<AfterIterations> after;                  ///< 1, 2, 4, … iterations, and all
 };
 
-/// True if the run is wrong at its end although the scans speak for the truth: by more than one nat
-/// a scan of the evidence that the filter goes by (`temper` times truth_advantage). Then the true
-/// place was lost among the particles. Where they say less, the places look alike.
-bool depleted(const ExperimentRun& run, double temper);
-
-TrialSummary summarize(std::span<const ExperimentRun> runs, double temper);
+TrialSummary summarize(std::span<const ExperimentRun> runs);
 
 }  // namespace mapwright::navcore

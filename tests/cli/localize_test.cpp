@@ -57,7 +57,7 @@ TEST_F(Localize, AnswersInJson) {
   ASSERT_EQ(json["iterations"].size(), 6U);
   EXPECT_EQ(json["iterations"][0]["n"], 1);
   EXPECT_EQ(json["iterations"][0]["particles"], 6000);
-  EXPECT_EQ(json["iterations"][1]["particles"], 1000);
+  EXPECT_GE(json["iterations"][1]["particles"], 990) << "each place has some";
   for (const auto& iteration : json["iterations"]) {
     EXPECT_GT(iteration["effective_particles"].get<double>(), 0.0);
     EXPECT_TRUE(iteration["spread_m"].is_number());
@@ -79,7 +79,7 @@ TEST_F(Localize, GivesParticlesAndScansWhenAsked) {
   const Json json = Json::parse(result.out);
   for (const auto& iteration : json["iterations"]) {
     EXPECT_EQ(iteration["scan"].size(), 31U);
-    ASSERT_EQ(iteration["particle_set"].size(), 1000U);
+    ASSERT_GE(iteration["particle_set"].size(), 800U);
     double weight = 0.0;
     for (const auto& particle : iteration["particle_set"]) {
       ASSERT_EQ(particle.size(), 4U);
@@ -103,7 +103,7 @@ TEST_F(Localize, Tracks) {
                                 "--iterations", "10", "--format", "json"});
   ASSERT_EQ(result.status, 0) << result.err;
   const Json json = Json::parse(result.out);
-  EXPECT_EQ(json["iterations"][0]["particles"], 1000);
+  EXPECT_GE(json["iterations"][0]["particles"], 1000);
   EXPECT_LT(json["iterations"][9]["position_error_m"].get<double>(), 0.3);
 }
 
@@ -115,7 +115,10 @@ TEST_F(Localize, SummarisesTrials) {
   EXPECT_EQ(json["trials"], 6);
   ASSERT_EQ(json["runs"].size(), 6U);
   std::size_t converged = 0;
-  for (const auto& one : json["runs"]) converged += one["converged"].get<bool>();
+  for (const auto& one : json["runs"]) {
+    converged += one["converged"].get<bool>();
+    EXPECT_EQ(one["truth_evidence"].is_null(), !one["right_from"].is_null());
+  }
   EXPECT_EQ(json["converged"], converged);
   EXPECT_GE(converged, 4U);
   EXPECT_EQ(result.status, 0);

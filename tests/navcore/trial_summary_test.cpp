@@ -12,15 +12,14 @@ namespace mapwright::navcore {
 namespace {
 
 // Iterations that claim `shares` and are off by `errors_m`.
-ExperimentRun run_of(const std::vector<double>& shares, const std::vector<double>& errors_m,
-                     double advantage = 0.0) {
+ExperimentRun run_of(const std::vector<double>& shares, const std::vector<double>& errors_m) {
   ExperimentRun run;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     IterationRecord record;
     record.n = i + 1;
     record.estimate.mode_share = shares[i];
+    record.claim = shares[i];
     record.position_error_m = errors_m[i];
-    record.truth_advantage = advantage;
     record.believes = believes_converged(record.estimate);
     run.iterations.push_back(record);
   }
@@ -30,7 +29,7 @@ ExperimentRun run_of(const std::vector<double>& shares, const std::vector<double
 TEST(TrialSummary, SetsWhatTheFilterClaimsAgainstHowOftenItIsRight) {
   const std::vector<ExperimentRun> runs{run_of({0.3, 0.97, 1.0, 1.0}, {9.0, 9.0, 0.1, 0.1}),
                                         run_of({0.96, 0.6, 0.5, 0.99}, {0.2, 0.1, 2.0, 0.4})};
-  const TrialSummary summary = summarize(runs, 0.3);
+  const TrialSummary summary = summarize(runs);
   ASSERT_EQ(summary.reliability.size(), 5U);
   EXPECT_EQ(summary.reliability[0].iterations, 1U);
   EXPECT_EQ(summary.reliability[1].iterations, 2U) << "0.5 belongs to its own line";
@@ -45,13 +44,16 @@ TEST(TrialSummary, SetsWhatTheFilterClaimsAgainstHowOftenItIsRight) {
 }
 
 TEST(TrialSummary, TellsLostPlacesFromThoseAlike) {
-  // One nat a scan of the tempered evidence is 2 untempered ones.
-  const auto wrong = [](double advantage) { return run_of({1.0, 1.0}, {9.0, 9.0}, advantage); };
-  EXPECT_TRUE(depleted(wrong(2.1), 0.5));
-  EXPECT_FALSE(depleted(wrong(1.9), 0.5));
-  EXPECT_FALSE(depleted(run_of({1.0, 1.0}, {9.0, 0.1}, 99.0), 0.5)) << "right at the end";
-  const std::vector<ExperimentRun> runs{wrong(2.1), wrong(1.9), wrong(-3.0)};
-  const TrialSummary summary = summarize(runs, 0.5);
+  const auto wrong = [](double evidence) {
+    ExperimentRun run = run_of({1.0, 1.0}, {9.0, 9.0});
+    run.truth_evidence = evidence;
+    return run;
+  };
+  EXPECT_TRUE(wrong(0.951).lost());
+  EXPECT_FALSE(wrong(0.949).lost());
+  EXPECT_FALSE(run_of({1.0, 1.0}, {9.0, 0.1}).lost()) << "right at the end";
+  const std::vector<ExperimentRun> runs{wrong(0.99), wrong(0.5), wrong(0.0)};
+  const TrialSummary summary = summarize(runs);
   EXPECT_EQ(summary.depleted, 1U);
   EXPECT_EQ(summary.alike, 2U);
   EXPECT_EQ(summary.mistaken, 3U);
