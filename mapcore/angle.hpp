@@ -22,6 +22,7 @@ class Angle {
 
   /// The same direction in (−π, π].
   Angle wrapped() const {
+    if (std::abs(radians_) < std::numbers::pi) return *this;  // much quicker, and what comes of it
     const double r = std::remainder(radians_, 2.0 * std::numbers::pi);
     return Angle(r <= -std::numbers::pi ? std::numbers::pi : r);
   }

@@ -112,10 +112,11 @@ void ParticleFilter::move(const OdometryStep& step) {
   ++epoch_;
   if (heading_) heading_ = turned(*heading_, step, settings_.odometry);
   auto& poses = particles_.poses;
+  const StepErrors errors = step_errors(step, settings_.odometry);
   parallel_for(poses.size(), kGrain, settings_.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Random random = stream(i);
-      poses[i] = moved(poses[i], perturbed(step, settings_.odometry, random));
+      poses[i] = moved(poses[i], perturbed_by(errors, step, random));
     }
   });
 }

@@ -64,8 +64,9 @@ void PoseTracker::start(const ParticleSet& particles) {
 
 void PoseTracker::move(const OdometryStep& step) {
   Random random(seed_, kStreams + epoch_++);
+  const StepErrors errors = step_errors(step, settings_.odometry);
   for (Pose& pose : particles_.poses) {
-    pose = moved(pose, perturbed(step, settings_.odometry, random));
+    pose = moved(pose, perturbed_by(errors, step, random));
   }
   way_m_ += way_of(step, settings_.diffusion.turn_m);
 }

@@ -44,7 +44,10 @@ StepErrors step_errors(const OdometryStep& step, const OdometryNoise& noise) {
 }
 
 OdometryStep perturbed(const OdometryStep& step, const OdometryNoise& noise, Random& random) {
-  const StepErrors errors = step_errors(step, noise);
+  return perturbed_by(step_errors(step, noise), step, random);
+}
+
+OdometryStep perturbed_by(const StepErrors& errors, const OdometryStep& step, Random& random) {
   const double error_before = random.normal(0.0, errors.turn_before_rad);
   const double error_distance = random.normal(0.0, errors.distance_m);
   const double error_after = random.normal(0.0, errors.turn_after_rad);

@@ -44,4 +44,7 @@ StepErrors step_errors(const OdometryStep& step, const OdometryNoise& noise);
 /// symmetric, a movement that the report may stand for.
 OdometryStep perturbed(const OdometryStep& step, const OdometryNoise& noise, Random& random);
 
+/// The same for many draws of one movement: `errors` = step_errors(step, noise).
+OdometryStep perturbed_by(const StepErrors& errors, const OdometryStep& step, Random& random);
+
 }  // namespace mapwright::navcore
