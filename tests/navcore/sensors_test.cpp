@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "navcore/sensors/compass.hpp"
@@ -94,6 +95,16 @@ TEST(Odometry, OfATinyWayDoesNotTurnToFaceIt) {
   EXPECT_EQ(step.turn_before, Angle());
   EXPECT_DOUBLE_EQ(step.distance_m, -0.001);
   EXPECT_EQ(step.turn_after, Angle());
+}
+
+TEST(Angle, WrappedHasTheBitsOfTheRemainder) {
+  const double pi = std::numbers::pi;
+  for (const double angle : {0.1, -3.1, std::nextafter(pi, 0.0), -std::nextafter(pi, 0.0)}) {
+    EXPECT_EQ(Angle::from_radians(angle).wrapped().radians(), std::remainder(angle, 2.0 * pi));
+  }
+  EXPECT_EQ(Angle::from_radians(pi).wrapped().radians(), pi);
+  EXPECT_EQ(Angle::from_radians(-pi).wrapped().radians(), pi);
+  EXPECT_NEAR(Angle::from_radians(3.5).wrapped().radians(), 3.5 - 2.0 * pi, 1e-12);
 }
 
 TEST(Odometry, ErrorsGrowWithTheMovement) {
