@@ -57,7 +57,9 @@ Localizer::Localizer(const FreeSpace& space, const ScanWeigher& weigher,
       turned_(weigher, Angle()),
       filter_(turned_, {}, settings.filter, seed),
       tracker_(weigher, tracker_settings(settings), seed),
-      quality_(settings.quality) {}
+      quality_(settings.quality),
+      agreement_(settings.agreement_decay),
+      there_(settings.agreement_decay) {}
 
 bool Localizer::start() {
   if (!settings_.initial_pose) return filter_.start_anywhere(space_, {});
@@ -75,6 +77,7 @@ void Localizer::drive(const OdometryStep& step) {
   way_m_ += way_of(step, settings_.tracker.diffusion.turn_m);
   expected_ = moved(expected_, step);
   if (tracking_) tracker_.move(step);
+  if (former_) former_->tracker.move(step);
   if (!tracking_ || challenged_) filter_.move(step);
 }
 
@@ -99,14 +102,23 @@ const ParticleSet& Localizer::particles() const {
 }
 
 void Localizer::search(const RecordedScan& scan, LocalizerLook& result) {
+  const double news = news_since_last_scan();
   result.update = update_filter(scan, settings_.search);
   result.beams = turned_beams_;
   result.estimate = filter_.estimate();
   result.believes = believes_converged(result.estimate);
   const bool stays = result.believes && is_one_mode(expected_, result.estimate.pose);
-  sure_for_ = stays ? sure_for_ + 1 : 0;
+  sure_for_ = stays ? sure_for_ + news : 0.0;
   expected_ = result.estimate.pose;
-  if (has_tracker() && sure_for_ >= settings_.confirmation) follow(result.estimate);
+  agreement_.add(agreement(log_fit(scan, result.estimate.pose)), news);
+  const bool poor = agreement_.mean() < settings_.search_agreement;
+  poor_for_ = poor ? poor_for_ + news : 0.0;
+  if (!has_tracker()) return;
+  if (poor_for_ >= settings_.search_patience) {
+    begin_search_anew();
+  } else if (!poor && sure_for_ >= settings_.confirmation) {
+    follow(result.estimate);
+  }
 }
 
 void Localizer::track(const RecordedScan& scan, LocalizerLook& result) {
@@ -114,8 +126,11 @@ void Localizer::track(const RecordedScan& scan, LocalizerLook& result) {
   result.beams = tracker_.beams();
   result.estimate = estimate_pose(tracker_.particles());
   const double news = news_since_last_scan();
-  quality_.add(std::exp(log_fit(scan, result.estimate.pose)), lost_for_ > 0.0, news);
-  const bool lost = quality_.share_lost() >= settings_.lost_share;
+  const double fit = log_fit(scan, result.estimate.pose);
+  quality_.add(std::exp(fit), lost_for_ > 0.0, news);
+  agreement_.add(agreement(fit), news);
+  if (former_ && is_regretted(scan, fit, news, result)) return;
+  const bool lost = is_doubtful();
   lost_for_ = lost ? lost_for_ + news : 0.0;
   result.doubted = lost;
   result.believes = !lost && believes_converged(result.estimate);
@@ -126,11 +141,24 @@ void Localizer::track(const RecordedScan& scan, LocalizerLook& result) {
   }
 }
 
+bool Localizer::is_doubtful() const {
+  if (agreement_.scans() >= 3.0 && agreement_.mean() < settings_.least_agreement) return true;
+  return quality_.share_lost() >= settings_.lost_share &&
+         agreement_.mean() < settings_.content_agreement;
+}
+
+void Localizer::begin_search_anew() {
+  filter_.start_anywhere(space_, {});
+  agreement_.begin_anew();
+  sure_for_ = poor_for_ = 0.0;
+}
+
 // The filter begins where the tracker is, looks nearby, then elsewhere, at last everywhere.
 void Localizer::challenge(const RecordedScan& scan, double news, LocalizerLook& result) {
   if (!challenged_) {
     filter_.take(tracker_.particles(), &space_);
     advantage_ = 0.0;
+    there_.begin_anew();
     everywhere_ = false;
     search_after_ = settings_.patience;
   }
@@ -151,22 +179,59 @@ void Localizer::weigh_challenger(const RecordedScan& scan, const PoseEstimate& e
                                  double news, LocalizerLook& result) {
   if (!believes_converged(estimate) || !are_apart(estimate.pose, result.estimate.pose)) {
     advantage_ = 0.0;
+    there_.begin_anew();
     return;
   }
   const double there = log_fit(scan, estimate.pose);
+  there_.add(agreement(there), news);
   const double better = there - log_fit(scan, result.estimate.pose);
   advantage_ = std::max(0.0, advantage_ + news * settings_.recover.evidence * better);
-  if (advantage_ < settings_.conviction) return;
+  if (advantage_ < settings_.conviction || there_.mean() < settings_.content_agreement ||
+      there_.scans() < settings_.conviction_scans) {
+    return;
+  }
+  give_way(estimate, there);
+  result.estimate = estimate;
+}
+
+void Localizer::give_way(const PoseEstimate& estimate, double log_fit) {
+  if (settings_.regret_scans > 0.0) former_ = Former{tracker_};
   follow(estimate);
+  agreement_ = there_;
+  quality_.begin_anew(std::exp(log_fit));
+}
+
+// A gap of the map may have made the other place look better.
+bool Localizer::is_regretted(const RecordedScan& scan, double fit, double news,
+                             LocalizerLook& result) {
+  result.update.particles += former_->tracker.update(scan).particles;
+  const PoseEstimate estimate = estimate_pose(former_->tracker.particles());
+  former_->scans += news;
+  if (former_->scans > settings_.regret_scans || !are_apart(estimate.pose, result.estimate.pose)) {
+    former_.reset();
+    return false;
+  }
+  const double there = log_fit(scan, estimate.pose);
+  const double better = settings_.recover.evidence * (there - fit);
+  former_->advantage = std::max(0.0, former_->advantage + news * better);
+  if (former_->advantage < settings_.regret) return false;
+  tracker_ = std::move(former_->tracker);
+  former_.reset();
+  challenged_ = false;
+  lost_for_ = 0.0;
+  agreement_.begin_anew();
+  agreement_.add(agreement(there), news);
   quality_.begin_anew(std::exp(there));
   result.estimate = estimate;
+  result.believes = believes_converged(estimate);
+  return true;
 }
 
 void Localizer::follow(const PoseEstimate& estimate) {
   tracker_.start(around(filter_.particles(), estimate.pose));
   tracking_ = true;
   challenged_ = false;
-  sure_for_ = 0;
+  sure_for_ = 0.0;
   lost_for_ = 0.0;
 }
 
@@ -187,6 +252,10 @@ UpdateReport Localizer::update_filter(const RecordedScan& scan, const LookSettin
   look.nearby_share = settings_.filter.nearby_share;
   filter_.use(look);
   return filter_.update(seen.ranges);
+}
+
+double Localizer::agreement(double log_fit) const {
+  return agreeing_share(log_fit, settings_.filter.likelihood, settings_.max_range_m);
 }
 
 // Mean over the beams. Always by the same σm, so that what the scans fitted then and now can be
@@ -222,6 +291,13 @@ RecordedSettings recorded_settings() {
   settings.lost_share = 0.6;
   settings.confirmation = 8;
   settings.quality = {0.05, 0.4};
+  settings.least_agreement = 0.42;
+  settings.search_agreement = 0.47;
+  settings.content_agreement = 0.55;
+  settings.conviction = 60.0;
+  settings.conviction_scans = 5.0;
+  settings.regret_scans = 20.0;
+  settings.regret = 6.0;
   settings.search = {61, 0.15, 8.0, 8000, 0.01, 6000};
   TrackerSettings& tracker = settings.tracker;
   tracker.stages = {{46, 0.2, 12.0}, {61, 0.1, 20.0}, {91, 0.045, 36.0}, {91, 0.045, 36.0}};

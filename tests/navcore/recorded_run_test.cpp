@@ -8,6 +8,7 @@
 
 #include "navcore/engine/scan_engine.hpp"
 #include "navcore/localization/roaming.hpp"
+#include "navcore/localization/scan_agreement.hpp"
 #include "navcore/sensors/laser_noise.hpp"
 
 namespace mapwright::navcore {
@@ -57,6 +58,32 @@ TEST(ScanQuality, IsLostWhileScansFitWorseThanTheyUsedTo) {
   EXPECT_NEAR(lost.share_lost(), 0.0, 0.05);
   for (int i = 0; i < 300; ++i) quality.add(0.2);
   EXPECT_NEAR(quality.share_lost(), 0.0, 1e-3);
+}
+
+TEST(AgreeingShare, IsOneWhereAllBeamsEndAsTheMapSaysAndZeroWhereNoneDoes) {
+  const LikelihoodModel model{LikelihoodKind::kRobust, 1.0, 0.5, 0.5, 0.15};
+  const double all = std::log(1.0 / (0.15 * 2.5066282746));  // density of the normal part's peak
+  const double none = std::log(0.5 / 25.0);
+  EXPECT_NEAR(agreeing_share(all, model, 25.0), 1.0, 1e-9);
+  EXPECT_NEAR(agreeing_share(none, model, 25.0), 0.0, 1e-9);
+  EXPECT_NEAR(agreeing_share(0.25 * all + 0.75 * none, model, 25.0), 0.25, 1e-9);
+  EXPECT_EQ(agreeing_share(none - 1.0, model, 25.0), 0.0);
+}
+
+TEST(ScanAgreement, IsAnAverageFromTheFirstScanOn) {
+  ScanAgreement agreement(0.2);
+  agreement.add(0.8);
+  EXPECT_NEAR(agreement.mean(), 0.8, 1e-12);
+  agreement.add(0.3);
+  EXPECT_NEAR(agreement.mean(), (0.8 * 0.8 + 0.3) / 1.8, 1e-12);
+  EXPECT_NEAR(agreement.scans(), 2.0, 1e-12);
+  ScanAgreement tenths = agreement;
+  agreement.add(0.1);
+  for (int i = 0; i < 10; ++i) tenths.add(0.1, 0.1);
+  EXPECT_NEAR(tenths.mean(), agreement.mean(), 1e-12);
+  agreement.begin_anew();
+  agreement.add(0.6);
+  EXPECT_NEAR(agreement.mean(), 0.6, 1e-12);
 }
 
 RecordedScan scan_of(std::size_t beams, double first_deg, double step_deg) {
@@ -216,6 +243,67 @@ TEST_F(Kidnapping, TracksWithFewParticlesAndSearchesWithMany) {
     searched = searched || result.iterations[i].update.particles > 4000;
   }
   EXPECT_TRUE(searched);
+}
+
+TEST_F(Kidnapping, AWrongStartIsDoubtedAlthoughNoScanEverFittedBetter) {
+  RecordedSettings settings = tracking();
+  settings.initial_pose = Pose{17.0, 17.0, Angle::from_degrees(200.0)};
+  const auto last_is_right = [&] {
+    const auto result = run_recorded(space_, engine_, settings, steps_, 0, kKidnapped - 1, 1);
+    return result && result->iterations.back().is_right();
+  };
+  EXPECT_TRUE(last_is_right());
+  settings.least_agreement = 0.0;
+  EXPECT_FALSE(last_is_right());
+}
+
+// From scan `first` to before `end` a share of the beams sees what it would see elsewhere on the
+// map.
+void dream(std::vector<RecordedStep>& steps, const RayCaster& caster, std::size_t first,
+           std::size_t end, double share) {
+  const LaserModel laser{181, 180.0, 25.0, 0.5};
+  Random random(9);
+  std::vector<double> ranges(181);
+  Pose pose{27.0, 17.5, Angle::from_degrees(-120.0)};
+  for (std::size_t i = first; i < end; ++i) {
+    pose = moved(pose, step_between(steps[i - 1].odometry, steps[i].odometry));
+    caster.cast(pose, laser, ranges);
+    for (std::size_t j = 0; j < ranges.size(); ++j) {
+      if (random.uniform() < share) steps[i].scan.ranges[j] = ranges[j];
+    }
+  }
+}
+
+std::string right_scans(const RecordedRun& run) {  // '+' right, '-' wrong
+  std::string signs;
+  for (const auto& iteration : run.iterations) signs += iteration.is_right() ? '+' : '-';
+  return signs;
+}
+
+TEST_F(Kidnapping, WhoGaveWayComesBackAtOnceWhenItWasRight) {
+  constexpr std::size_t kEnd = 24;
+  dream(steps_, engine_, 10, kEnd, 0.85);
+  const auto signs = [&](double regret_scans) {
+    RecordedSettings settings = tracking();
+    settings.patience = 3.0;  // easily convinced
+    settings.conviction = 30.0;
+    settings.conviction_scans = 2.0;
+    settings.regret_scans = regret_scans;
+    const auto result = run_recorded(space_, engine_, settings, steps_, 0, kKidnapped - 1, 1);
+    return result ? right_scans(*result) : std::string();
+  };
+  const std::string with = signs(20.0), without = signs(0.0);
+  EXPECT_EQ(with[kEnd - 1], '-') << with;  // the dream was convincing
+  EXPECT_EQ(with.find('-', kEnd + 1), std::string::npos) << with;
+  EXPECT_NE(without.find('-', kEnd + 1), std::string::npos) << without;
+}
+
+TEST_F(Kidnapping, AShortDreamConvincesNobody) {
+  dream(steps_, engine_, 10, 13, 0.8);
+  const auto result = run_recorded(space_, engine_, tracking(), steps_, 0, kKidnapped - 1, 1);
+  ASSERT_TRUE(result);
+  const std::string signs = right_scans(*result);
+  EXPECT_EQ(signs.find('-', 15), std::string::npos) << signs;
 }
 
 TEST_F(Kidnapping, SameSeedSameRun) {
