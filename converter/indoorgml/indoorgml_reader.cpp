@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <unordered_set>
+#include <utility>
 
-#include "converter/gdal/feature_filter.hpp"
 #include "converter/gdal/stored_file.hpp"
 #include "converter/indoorgml/footprint.hpp"
 #include "converter/indoorgml/indoor_document.hpp"
 #include "converter/indoorgml/storey_plan.hpp"
 #include "converter/indoorgml/storeys.hpp"
+#include "converter/source/document_reader.hpp"
 #include "mapcore/tolerances.hpp"
 
 namespace mapwright::converter {
@@ -56,9 +57,11 @@ std::vector<Point> closed(const VertexPath& ring) {
   return points;
 }
 
-class IndoorGmlReader : public SourceReader {
+class IndoorGmlReader : public DocumentReader {
  public:
-  explicit IndoorGmlReader(IndoorDocument document) : document_(std::move(document)) {
+  explicit IndoorGmlReader(IndoorDocument document)
+      : DocumentReader("IndoorGML"), document_(std::move(document)) {
+    for (auto& warning : std::exchange(document_.warnings, {})) warn(std::move(warning));
     for (const auto& cell : document_.cells) footprints_.push_back(footprint_of(cell));
     auto storeys = storeys_of(document_, footprints_);
     const bool several = storeys.size() > 1;
@@ -67,46 +70,15 @@ class IndoorGmlReader : public SourceReader {
       info.declared_features =
           static_cast<std::int64_t>(storey.cells.size() + storey.boundaries.size());
       if (several) info.storey = storey.name;
-      infos_.push_back(std::move(info));
+      add_layer(std::move(info));
       plans_.push_back(std::make_unique<StoreyPlan>(document_, footprints_, std::move(storey),
                                                     document_.crs.metres_per_unit));
     }
     warn_of_idle_doors();
     if (document_.graph.empty()) return;
-    infos_.push_back(layer("IndoorGML graph"));
-    infos_.back().declared_features = static_cast<std::int64_t>(document_.graph.size());
-  }
-
-  const std::string& driver() const override { return driver_; }
-  const std::vector<LayerInfo>& layers() const override { return infos_; }
-  std::vector<std::string> take_warnings() override {
-    return std::exchange(document_.warnings, {});
-  }
-
-  Result<std::optional<Box>> extent(std::size_t layer) override {
-    Box box = kEmptyBox;
-    each(layer, [&](const SourceFeature& feature) {
-      const auto& geometry = feature.geometry;
-      for (std::size_t i = 0; i < geometry.xs.size(); ++i)
-        box.add({geometry.xs[i], geometry.ys[i]});
-    });
-    return box.is_empty() ? std::nullopt : std::optional(box);
-  }
-
-  Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
-                           const FeatureVisitor& visit) override {
-    const auto filter = FeatureFilter::create(field_names(), options.where);
-    if (!filter) {
-      return usage_failure("--where: '" + options.where + "' does not fit layer " +
-                           infos_[layer].name + ": " + filter.error().message);
-    }
-    std::size_t count = 0;
-    each(layer, [&](SourceFeature& feature) {
-      feature.selected = filter->holds(feature);
-      visit(feature);
-      ++count;
-    });
-    return count;
+    LayerInfo graph = layer("IndoorGML graph");
+    graph.declared_features = static_cast<std::int64_t>(document_.graph.size());
+    add_layer(std::move(graph));
   }
 
  private:
@@ -116,11 +88,11 @@ class IndoorGmlReader : public SourceReader {
       doors.insert(doors.end(), plan->idle_doors().begin(), plan->idle_doors().end());
     }
     if (doors.empty()) return;
-    document_.warnings.push_back(std::to_string(doors.size()) +
-                                 (doors.size() == 1 ? " door lies at no wall and opens none ("
-                                                    : " doors lie at no wall and open none (") +
-                                 doors.front() + (doors.size() == 1 ? "" : " …") +
-                                 "): rooms behind may be shut; the ledger names each");
+    const bool one = doors.size() == 1;
+    warn(
+        std::to_string(doors.size()) +
+        (one ? " door lies at no wall and opens none (" : " doors lie at no wall and open none (") +
+        doors.front() + (one ? "" : " …") + "): rooms behind may be shut; the ledger names each");
   }
 
   LayerInfo layer(std::string name) const {
@@ -131,8 +103,7 @@ class IndoorGmlReader : public SourceReader {
     return info;
   }
 
-  template <class Visit>
-  void each(std::size_t layer, const Visit& visit) const {
+  void each(std::size_t layer, const ReadOptions*, const FeatureVisitor& visit) override {
     SourceFeature feature;
     if (layer == plans_.size()) {
       for (std::size_t i = 0; i < document_.graph.size(); ++i) {
@@ -231,11 +202,9 @@ class IndoorGmlReader : public SourceReader {
     feature.geometry.type = object.lines.empty() ? "" : "LINESTRING";
   }
 
-  std::string driver_ = "IndoorGML";
   IndoorDocument document_;
   std::vector<std::optional<Footprint>> footprints_;
   std::vector<std::unique_ptr<StoreyPlan>> plans_;
-  std::vector<LayerInfo> infos_;
 };
 
 }  // namespace

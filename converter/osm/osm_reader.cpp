@@ -6,11 +6,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "converter/gdal/feature_filter.hpp"
 #include "converter/gdal/stored_file.hpp"
 #include "converter/osm/osm_areas.hpp"
 #include "converter/osm/osm_data.hpp"
 #include "converter/osm/osm_layers.hpp"
+#include "converter/source/document_reader.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -182,73 +182,48 @@ Crs wgs84() {
   return crs ? *crs : Crs{};
 }
 
-class OsmReader : public SourceReader {
+class OsmReader : public DocumentReader {
  public:
   OsmReader(std::string path, OsmData data)
-      : path_(std::move(path)), data_(std::move(data)), sorted_(osm_layers(data_)) {
+      : DocumentReader("OSM"),
+        path_(std::move(path)),
+        data_(std::move(data)),
+        sorted_(osm_layers(data_)) {
     const auto crs = wgs84();
     for (const auto& layer : sorted_) {
-      auto& info = infos_.emplace_back();
+      LayerInfo info;
       info.name = layer.name;
       info.fields = data_.keys;
       info.geometry = layer.geometry;
       info.crs = crs;
       info.declared_features = static_cast<std::int64_t>(layer.items.size());
+      add_layer(std::move(info));
     }
     warn_of_storeys();
   }
 
-  const std::string& driver() const override { return driver_; }
-  const std::vector<LayerInfo>& layers() const override { return infos_; }
-  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
-
-  Result<std::optional<Box>> extent(std::size_t layer) override {
-    Box box = kEmptyBox;
-    each(layer, {}, [&](const SourceFeature& feature) {
-      const auto& geometry = feature.geometry;
-      for (std::size_t i = 0; i < geometry.xs.size(); ++i)
-        box.add({geometry.xs[i], geometry.ys[i]});
-    });
-    return box.is_empty() ? std::nullopt : std::optional(box);
-  }
-
-  Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
-                           const FeatureVisitor& visit) override {
-    const auto filter = FeatureFilter::create(data_.keys, options.where);
-    if (!filter) {
-      return usage_failure("--where: '" + options.where + "' does not fit layer " +
-                           infos_[layer].name + ": " + filter.error().message);
-    }
-    each(layer, keys_to_read(options), [&](SourceFeature& feature) {
-      feature.selected = filter->holds(feature);
-      visit(feature);
-    });
-    return sorted_[layer].items.size();
-  }
-
  private:
   // By key: whether its values are wanted.
-  std::vector<bool> keys_to_read(const ReadOptions& options) const {
-    const bool all = options.fields.empty() || !options.where.empty();
+  std::vector<bool> keys_to_read(const ReadOptions* options) const {
+    const bool all = options != nullptr && (options->fields.empty() || !options->where.empty());
     std::vector<bool> wanted(data_.keys.size(), all);
-    for (std::size_t i = 0; i < wanted.size() && !all; ++i) {
-      const auto& names = options.fields;
+    if (all || options == nullptr) return wanted;
+    const auto& names = options->fields;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
       wanted[i] = std::find(names.begin(), names.end(), data_.keys[i]) != names.end();
     }
     return wanted;
   }
 
-  // Hands over all features of a layer, with the values of the keys that are wanted (none: of no
-  // key).
-  void each(std::size_t layer, const std::vector<bool>& wanted, const FeatureVisitor& visit) {
-    const auto is_wanted = [&](std::uint32_t key) { return !wanted.empty() && wanted[key]; };
+  void each(std::size_t layer, const ReadOptions* options, const FeatureVisitor& visit) override {
+    const std::vector<bool> is_wanted = keys_to_read(options);
     SourceFeature feature;
     feature.values.resize(data_.keys.size());
     FeatureMaker maker(data_, sorted_[layer]);
     for (const auto& item : sorted_[layer].items) {
       const auto& tags = tags_of(item, data_);
       for (const auto& [key, value] : tags) {
-        if (is_wanted(key)) feature.values[key] = value;
+        if (is_wanted[key]) feature.values[key] = value;
       }
       maker.make(item, feature);
       visit(feature);
@@ -262,18 +237,15 @@ class OsmReader : public SourceReader {
     };
     const auto first = std::find_if(sorted_.begin(), sorted_.end(), is_indoor);
     if (std::count_if(first, sorted_.end(), is_indoor) < 2) return;
-    warnings_.push_back(path_ +
-                        ": holds several levels of a building, which a map would have one on top "
-                        "of the other: take one, as with --layer '" +
-                        first->name + "'");
+    warn(path_ +
+         ": holds several levels of a building, which a map would have one on top of the other: "
+         "take one, as with --layer '" +
+         first->name + "'");
   }
 
   std::string path_;
-  std::vector<std::string> warnings_;
-  std::string driver_ = "OSM";
   OsmData data_;
   std::vector<OsmLayer> sorted_;
-  std::vector<LayerInfo> infos_;
 };
 
 bool ends_with_any(const std::string& path, std::initializer_list<const char*> endings) {
