@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "navcore/localization/bearable_weights.hpp"
+
 namespace mapwright::navcore {
 namespace {
 
@@ -12,10 +14,8 @@ namespace {
 constexpr double kProposal_m = 0.002;
 constexpr double kProposal_deg = 0.02;
 
-// Weights that leave a smaller effective share are flattened for the next proposal.
-constexpr double kLeastShare = 0.15;
-constexpr double kLeastExponent = 0.01;  // above 0: what is impossible stays so
-constexpr int kBisections = 6;
+// Of the weights that proposals are made of; above 0: what is impossible stays so.
+constexpr double kLeastExponent = 0.01;
 
 // A place whose last particles leave a smaller effective share is drawn from again: so many times
 // at most.
@@ -40,25 +40,6 @@ Draws draw(const Place& place, Random& random) {
   return draws;
 }
 
-std::vector<double> flattened(std::span<const double> log_weights, double exponent) {
-  std::vector<double> weights(log_weights.size(), 1.0 / static_cast<double>(log_weights.size()));
-  multiply_weights(weights, log_weights, exponent);
-  return weights;
-}
-
-// Weights in proportion to exp(log weight × e), e at most 1 and such that enough of them matter.
-std::vector<double> bearable_weights(std::span<const double> log_weights) {
-  const double least = kLeastShare * static_cast<double>(log_weights.size());
-  std::vector<double> weights = flattened(log_weights, 1.0);
-  if (effective_size(weights) >= least) return weights;
-  double low = kLeastExponent, high = 1.0;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (effective_size(flattened(log_weights, middle)) >= least ? low : high) = middle;
-  }
-  return flattened(log_weights, low);
-}
-
 /// The places as they are sampled, round by round.
 class Sampling {
  public:
@@ -79,7 +60,7 @@ class Sampling {
   std::vector<std::size_t> badly_met() const {
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < places_.size(); ++k) {
-      const double share = effective_size(flattened(draws_[k].log_weights, 1.0)) /
+      const double share = effective_size(flattened_weights(draws_[k].log_weights, 1.0)) /
                            static_cast<double>(places_[k].count);
       if (share < kWellMet) chosen.push_back(k);
     }
@@ -117,7 +98,8 @@ class Sampling {
 
  private:
   void propose_anew(std::size_t k) {
-    const ParticleSet found{draws_[k].poses, bearable_weights(draws_[k].log_weights)};
+    const ParticleSet found{draws_[k].poses,
+                            bearable_weights(draws_[k].log_weights, kLeastExponent)};
     places_[k].proposal = PoseBelief(found, kProposal_m, kProposal_deg);
   }
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "navcore/localization/bearable_weights.hpp"
+
 namespace mapwright::navcore {
 namespace {
 
@@ -16,31 +18,6 @@ constexpr std::size_t kDeviates = 4096;
 // Proposals have some width even where all the weight is on one particle.
 constexpr double kProposal_m = 0.001;
 constexpr double kProposal_deg = 0.02;
-
-// Weights that leave a smaller effective share are flattened for the next proposal.
-constexpr double kLeastShare = 0.15;
-constexpr int kBisections = 6;
-
-double share_after(std::span<const double> log_weights, double exponent,
-                   std::vector<double>& weights) {
-  const double count = static_cast<double>(log_weights.size());
-  weights.assign(log_weights.size(), 1.0 / count);
-  multiply_weights(weights, log_weights, exponent);
-  return effective_size(weights) / count;
-}
-
-// Weights in proportion to exp(log weight × e), e at most 1 and such that enough of them matter.
-std::vector<double> bearable_weights(std::span<const double> log_weights) {
-  std::vector<double> weights;
-  if (share_after(log_weights, 1.0, weights) >= kLeastShare) return weights;
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (share_after(log_weights, middle, weights) >= kLeastShare ? low : high) = middle;
-  }
-  share_after(log_weights, low, weights);
-  return weights;
-}
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "mapcore/random.hpp"
 #include "mapcore/text/reader.hpp"
 #include "mapcore/text/writer.hpp"
+#include "tests/mapcore/text/keeper.hpp"
 #include "tests/support/random_map.hpp"
 
 namespace mapwright {
@@ -142,19 +143,10 @@ TEST(ObstacleStream, IsNeverSurerThanTheReader) {
   EXPECT_GT(damaged, 2000);
 }
 
-class Keeper : public TextKeeper {
- public:
-  void release(std::size_t begin, std::size_t end) override {
-    EXPECT_EQ(begin, released);
-    released = end;
-  }
-  std::size_t released = 0;
-};
-
 TEST(ObstacleStream, LetsPiecesGoAndTellsHowFarItIs) {
   std::string text = kBorder;
   while (text.size() < 3 << 18) text += kWall;
-  const auto keeper = std::make_shared<Keeper>();
+  const auto keeper = std::make_shared<test::Keeper>();
   std::vector<std::size_t> steps;
   const auto progress = [&](std::size_t done, std::size_t total) {
     EXPECT_EQ(total, text.size() >> 10U);

@@ -6,6 +6,7 @@
 #include "mapcore/random.hpp"
 #include "mapcore/text/reader.hpp"
 #include "mapcore/text/writer.hpp"
+#include "tests/mapcore/text/keeper.hpp"
 
 namespace mapwright {
 namespace {
@@ -27,16 +28,6 @@ std::string long_text(std::size_t pieces) {
   return text;
 }
 
-// A keeper that tells what was let go.
-class Keeper : public TextKeeper {
- public:
-  void release(std::size_t begin, std::size_t end) override {
-    EXPECT_EQ(begin, released);
-    released = end;
-  }
-  std::size_t released = 0;
-};
-
 TEST(Pieces, ArePutTogetherToTheWholeMap) {
   const std::string text = long_text(3);
   const MapDocument document = read_map(text);
@@ -46,7 +37,7 @@ TEST(Pieces, ArePutTogetherToTheWholeMap) {
 
 TEST(Pieces, AreLetGoOneAfterTheOther) {
   const std::string text = long_text(3);
-  const auto keeper = std::make_shared<Keeper>();
+  const auto keeper = std::make_shared<test::Keeper>();
   const MapDocument document = read_map(MapText(text, keeper));
   EXPECT_EQ(keeper->released, text.size());
   EXPECT_EQ(document.map, read_map(text).map);
