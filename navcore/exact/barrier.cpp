@@ -1,5 +1,6 @@
 #include "navcore/exact/barrier.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "navcore/exact/barrier_rounds.hpp"
@@ -109,12 +110,15 @@ class Shortest {
     best_ = std::move(barrier);
   }
 
-  std::optional<Barrier> take() { return std::move(best_); }
+  std::optional<Barrier> take() {
+    if (std::isinf(shortest_mm_)) return std::nullopt;
+    return std::move(best_);
+  }
 
  private:
   const BarrierEnd &start_, &goal_;
   std::int64_t radius_nm_;
-  std::optional<Barrier> best_;
+  Barrier best_;
   double shortest_mm_ = std::numeric_limits<double>::infinity();
 };
 
