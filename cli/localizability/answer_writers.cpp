@@ -6,6 +6,7 @@
 #include <numbers>
 #include <ostream>
 
+#include "cli/support/laser_json.hpp"
 #include "cli/support/pose_json.hpp"
 #include "validators/deployment/localizability_findings.hpp"
 
@@ -16,28 +17,18 @@ using Json = nlohmann::ordered_json;
 using navcore::Spread;
 using navcore::WeakArea;
 
-// JSON has no infinity: null stands for what is not known.
-Json known(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json spread_json(const Spread& spread) {
-  return {{"median", known(spread.median)},
-          {"p75", known(spread.p75)},
-          {"p90", known(spread.p90)},
-          {"p95", known(spread.p95)},
+  return {{"median", finite_or_null(spread.median)},
+          {"p75", finite_or_null(spread.p75)},
+          {"p90", finite_or_null(spread.p90)},
+          {"p95", finite_or_null(spread.p95)},
           {"share_above_limit", spread.share_above}};
 }
 
 Json settings_json(const LocalizabilityAnswer& answer) {
   const auto& s = answer.settings;
   Json json;
-  json["rays"] = s.laser.rays;
-  json["fov_deg"] = s.laser.fov_deg;
-  json["max_range"] = s.laser.max_range_m;
-  json["laser_height"] = s.laser.height_m;
-  json["laser_noise"] = s.noise.sigma_m;
-  json["occlusion"] = s.noise.occlusion;
+  add_laser(json, s.laser, s.noise);
   json["cell_m"] = s.cell_m;
   json["robot_radius_m"] = s.robot_radius_m;
   json["headings"] = s.heading_deg ? Json(1) : Json(s.headings);
@@ -59,7 +50,7 @@ Json area_json(const navcore::LocalizabilityField& field, const WeakArea& area) 
   json["area_m2"] = area.area_m2;
   json["at"] = {at.x, at.y};
   json["bbox"] = {area.box.min_x, area.box.min_y, area.box.max_x, area.box.max_y};
-  json["accuracy_m"] = known(area.accuracy_m);
+  json["accuracy_m"] = finite_or_null(area.accuracy_m);
   json["direction_deg"] = field.accuracy[cell].edges_median.with_edges.major_direction.degrees();
   json["risk"] = area.risk;
   json["twin"] = inaccurate ? Json(nullptr) : pose_json(field.twins[cell].median->pose);

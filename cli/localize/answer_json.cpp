@@ -1,8 +1,8 @@
-#include <cmath>
 #include <ostream>
 
 #include "cli/localize/answer_json.hpp"
 #include "cli/localize/answer_writers.hpp"
+#include "cli/support/laser_json.hpp"
 #include "cli/support/pose_json.hpp"
 
 namespace mapwright::cli {
@@ -15,12 +15,7 @@ Json settings_json(const LocalizeQuestion& question) {
   json["likelihood"] = question.likelihood;
   json["particles"] = settings.filter.particles;
   json["first_particles"] = settings.filter.first_particles;
-  json["rays"] = settings.laser.rays;
-  json["fov_deg"] = settings.laser.fov_deg;
-  json["max_range"] = settings.laser.max_range_m;
-  json["laser_height"] = settings.laser.height_m;
-  json["laser_noise"] = settings.laser_noise.sigma_m;
-  json["occlusion"] = settings.laser_noise.occlusion;
+  add_laser(json, settings.laser, settings.laser_noise);
   json["alpha"] = likelihood.alpha;
   json["beta"] = likelihood.beta;
   json["gamma"] = likelihood.gamma;
@@ -31,11 +26,6 @@ Json settings_json(const LocalizeQuestion& question) {
   json["known_start"] = settings.start_known;
   json["seed"] = question.seed;
   return json;
-}
-
-// Infinite, where nothing tells the position: null.
-Json bound_json(double bound_m) {
-  return std::isfinite(bound_m) ? Json(bound_m) : Json(nullptr);
 }
 
 Json iteration_json(const navcore::IterationRecord& iteration,
@@ -53,7 +43,7 @@ Json iteration_json(const navcore::IterationRecord& iteration,
   json["believes_converged"] = iteration.believes;
   json["truth_advantage"] = iteration.truth_advantage;
   json["truth_share"] = iteration.truth_share;
-  json["position_bound_m"] = bound_json(navcore::position_bound_m(bound));
+  json["position_bound_m"] = finite_or_null(navcore::position_bound_m(bound));
   json["estimate"] = pose_json(estimate.pose);
   json["true_pose"] = pose_json(iteration.true_pose);
   if (iteration.particles.size() == 0) return json;
