@@ -35,6 +35,7 @@ double distance_option(const char* name, const std::string& text) {
 }
 
 void refuse_remote(const std::string& path) {
+  if (path == "-") fail_usage("-: sources are files; GIS formats are not read from a pipe");
   if (path.find("://") != path.npos || path.find("/vsi") != path.npos) {
     fail_usage(path + ": remote and virtual sources are refused; fetch or unpack it first");
   }
@@ -80,7 +81,8 @@ void ConvertArguments::declare(po::options_description& options,
   add("simplify", po::value(&simplify_)->default_value("0"),
       "metres: leave out vertices as long as the drawing stays nearer to itself than this; 0: "
       "none");
-  add("report", po::value(&report_), "write the ledger: what became of every feature (JSON)");
+  add("report", po::value(&report_),
+      "write the ledger: what became of every feature (JSON); - is standard output");
   add("watch", po::bool_switch(&watch_),
       "convert and validate again whenever a source is saved, until interrupted");
   add("strict", po::bool_switch(&strict_), "a repair is an error: no map is written");
@@ -117,6 +119,9 @@ void ConvertArguments::check(const po::variables_map& values) {
   if (watch_ && (output_ == "-" || explain_rules_)) {
     fail_usage("--watch needs a file to write: give -o MAP.txt");
   }
+  if (output_ == "-" && report_ == "-") {
+    fail_usage("standard output cannot hold both the map and the report");
+  }
   for (const auto& source : options_.sources) refuse_remote(source);
   check_frame();
   if (!bbox_.empty()) {
@@ -138,7 +143,7 @@ void ConvertArguments::check(const po::variables_map& values) {
 std::vector<std::string> ConvertArguments::outputs() const {
   std::vector<std::string> files;
   if (!output_.empty() && output_ != "-") files = {output_, sidecar_path(output_)};
-  if (!report_.empty()) files.push_back(report_);
+  if (!report_.empty() && report_ != "-") files.push_back(report_);
   return files;
 }
 

@@ -24,12 +24,12 @@ void write_stream(const TemporaryFile& file, const std::string& name,
 }  // namespace
 
 ConvertedFiles::ConvertedFiles(const std::string& output, const std::string& report)
-    : output_(output) {
+    : output_(output), report_name_(report) {
   if (output != "-") {
     map_ = std::make_unique<TemporaryFile>(output);
     sidecar_ = std::make_unique<TemporaryFile>(sidecar_path(output));
   }
-  if (!report.empty()) report_ = std::make_unique<TemporaryFile>(report);
+  if (!report.empty() && report != "-") report_ = std::make_unique<TemporaryFile>(report);
 }
 
 std::vector<Finding> ConvertedFiles::write_map(converter::ConvertedMap map, double resolution_m,
@@ -71,19 +71,17 @@ void ConvertedFiles::write_sidecar(const std::optional<Georeference>& georeferen
   }
 }
 
-void ConvertedFiles::write_report(const converter::Ledger& ledger) {
+void ConvertedFiles::write_report(const converter::Ledger& ledger, Console& console) {
+  if (report_name_ == "-") return converter::write_ledger(ledger, console.out());
   if (!report_) return;
-  write_stream(*report_, "report",
+  write_stream(*report_, report_name_,
                [&](std::ostream& out) { converter::write_ledger(ledger, out); });
+  report_->commit();
 }
 
 void ConvertedFiles::commit_map() {
   if (map_) map_->commit();
   if (sidecar_) sidecar_->commit();
-}
-
-void ConvertedFiles::commit_report() {
-  if (report_) report_->commit();
 }
 
 }  // namespace mapwright::cli

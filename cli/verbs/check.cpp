@@ -135,6 +135,7 @@ void Check::configure(const po::variables_map& values) {
   }
   if (resume_ && journal_path_.empty())
     fail_usage("--resume: say with --journal what to go on with");
+  if (journal_path_ == "-") fail_usage("--journal: name a file that a later run can go on with");
   settings_ = run_settings(values);
 }
 

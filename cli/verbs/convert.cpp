@@ -76,8 +76,7 @@ class Convert : public Verb {
     options.progress = console.progress("converting");
     auto conversion = value_or_throw(converter::convert(options));
     report_conversion(conversion, console);
-    files.write_report(conversion.ledger);
-    files.commit_report();
+    files.write_report(conversion.ledger, console);
     if (const auto refused = refusal(conversion, console)) return *refused;
     return write(std::move(conversion), files, console);
   }

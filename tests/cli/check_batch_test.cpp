@@ -217,6 +217,13 @@ TEST_F(CheckBatch, KilledAndResumedItGivesTheSameReport) {
   EXPECT_EQ(text_of(report), expected);
 }
 
+TEST_F(CheckBatch, AJournalIsAFile) {
+  const ProgramRun refused =
+      run_process(folder_, {"check", folder_.file("a.txt", full_map_text()), "--journal", "-"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--journal: name a file"), std::string::npos) << refused.err;
+}
+
 TEST_F(CheckBatch, ResumeChecksAgainWhatChanged) {
   const std::string maps = make_map_folder(folder_, 6);
   const auto resumed = [&](std::vector<std::string> options) {
