@@ -139,10 +139,11 @@ void remove_temporary_files() {
 }
 
 void remove_temporary_files_on_interrupt() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  // nohup means it.
-  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  for (const int signal : {SIGINT, SIGQUIT, SIGTERM}) std::signal(signal, on_interrupt);
+  // nohup means it, and who ignores closed pipes wants to be told of failed writes instead.
+  for (const int signal : {SIGHUP, SIGPIPE}) {
+    if (std::signal(signal, on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 std::string read_file(const std::string& path) {

@@ -56,7 +56,7 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// Removes temporary files when the program is interrupted.
+/// Removes temporary files when the program is interrupted, or nobody reads its standard output.
 void remove_temporary_files_on_interrupt();
 
 /// Removes all temporary files there are now. A signal handler may call it.

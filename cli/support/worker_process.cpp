@@ -25,6 +25,7 @@ void die_with(pid_t parent) {
 // say. Its handler, which removes the parent's temporary files, is none of the child's business.
 void leave_signals_to_parent() {
   std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGQUIT, SIG_IGN);
   std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGPIPE, SIG_DFL);

@@ -71,7 +71,7 @@ void limit_memory(std::uint64_t bytes) {
 
 // The parent's handlers clean up after the parent; the child must neither do that nor outlive it.
 void become_a_child(pid_t parent) {
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(number, SIG_DFL);
+  for (const int number : {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(number, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(0);
   const rlimit no_core{0, 0};
