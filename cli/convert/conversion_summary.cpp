@@ -2,6 +2,9 @@
 
 #include <functional>
 #include <map>
+#include <string_view>
+#include <tuple>
+#include <vector>
 
 namespace mapwright::cli {
 namespace {
@@ -13,25 +16,52 @@ using converter::Outcome;
 
 constexpr std::size_t kMostLines = 20;
 
-std::string place(const Ledger& ledger, const LedgerFeature& feature) {
-  const auto& source = ledger.sources[feature.source];
-  return source.path + ": layer " + source.layer + ", feature " + std::to_string(feature.fid);
+// Features of a layer that are told the same: the first of them, and how many.
+struct Repeated {
+  const LedgerFeature* first;
+  const LedgerReason* reason;
+  std::size_t count;
+};
+
+std::string line_of(const Ledger& ledger, const Repeated& told) {
+  const auto& source = ledger.sources[told.first->source];
+  std::string line =
+      source.path + ": layer " + source.layer + ", feature " + std::to_string(told.first->fid);
+  if (told.count > 1) line += " and " + std::to_string(told.count - 1) + " more";
+  return line + ": " + told.reason->message + " [" +
+         std::string(finding_type(told.reason->code).id) + "]";
 }
 
-std::size_t report_reasons(
-    const Ledger& ledger, Console& console,
-    const std::function<bool(const LedgerFeature&, const LedgerReason&)>& which) {
-  std::size_t count = 0;
+using Which = std::function<bool(const LedgerFeature&, const LedgerReason&)>;
+
+// In the order of the first of each.
+std::vector<Repeated> repeated_reasons(const Ledger& ledger, const Which& which) {
+  std::vector<Repeated> all;
+  std::map<std::tuple<std::size_t, FindingCode, std::string_view>, std::size_t> places;
   for (const auto position : ledger.explained()) {
     const auto& feature = ledger.features[position];
     for (const auto& reason : feature.reasons) {
-      if (!which(feature, reason) || ++count > kMostLines) continue;
-      console.error(place(ledger, feature) + ": " + reason.message + " [" +
-                    std::string(finding_type(reason.code).id) + "]");
+      if (!which(feature, reason)) continue;
+      const auto [place, is_new] =
+          places.try_emplace({feature.source, reason.code, reason.message}, all.size());
+      if (is_new) all.push_back({&feature, &reason, 0});
+      ++all[place->second].count;
     }
   }
-  if (count > kMostLines) {
-    console.error("… and " + std::to_string(count - kMostLines) + " more; --report lists them all");
+  return all;
+}
+
+// Returns how many reasons there are.
+std::size_t report_reasons(const Ledger& ledger, Console& console, const Which& which) {
+  std::size_t count = 0, told = 0, lines = 0;
+  for (const auto& repeated : repeated_reasons(ledger, which)) {
+    count += repeated.count;
+    if (++lines > kMostLines) continue;
+    told += repeated.count;
+    console.error(line_of(ledger, repeated));
+  }
+  if (count > told) {
+    console.error("… and " + std::to_string(count - told) + " more; --report lists them all");
   }
   return count;
 }

@@ -99,6 +99,53 @@ TEST_F(BadInput, ShapefileWithoutDbf) {
   EXPECT_NE(content_of(folder_.path("r.json")).find("C231"), std::string::npos);
 }
 
+TEST_F(BadInput, LossesOfOneKindAreOneLine) {
+  const auto shp = shapefile();
+  fs::remove(folder_.path("walls.dbf"));
+  const auto bare = run({"convert", shp, "--skip-broken", "-o", folder_.path("map.txt")});
+  EXPECT_EQ(bare.status, 1);
+  const auto told = bare.err.find("layer walls, feature 0 and 1 more: the .dbf file");
+  EXPECT_NE(told, std::string::npos) << bare.err;
+  EXPECT_EQ(bare.err.find("C231]", bare.err.find("C231]") + 1), std::string::npos) << bare.err;
+}
+
+TEST_F(BadInput, LossesThatDifferAreTwentyLinesAndACount) {
+  std::string rows = "WKT\n";
+  for (int i = 0; i < 23; ++i) rows += "\"POLYGON((0 0," + std::to_string(i) + " 0\"\n";
+  rows += "\"POLYGON((0 0,0 0\"\n";  // as the first
+  const auto cut =
+      run({"convert", folder_.file("site.csv", rows), "--local", "-o", folder_.path("map.txt")});
+  EXPECT_EQ(cut.status, 3);
+  EXPECT_NE(cut.err.find("feature 1 and 1 more: "), std::string::npos) << cut.err;
+  EXPECT_NE(cut.err.find("… and 3 more; --report lists them all"), std::string::npos) << cut.err;
+}
+
+// Two bytes of each character of a text in ASCII, with its byte order mark or without.
+std::string utf16(const std::string& text, bool has_mark, bool little_endian = true) {
+  std::string wide;
+  if (has_mark) wide = little_endian ? "\xFF\xFE" : "\xFE\xFF";
+  for (const char c : text) wide += little_endian ? std::string{c, '\0'} : std::string{'\0', c};
+  return wide;
+}
+
+TEST_F(BadInput, TextInUtf16IsCalledThat) {
+  const std::string table = "id,WKT\n1,\"POLYGON((0 0,4 0,4 4,0 4,0 0))\"\n";
+  const std::string advice = "save it as UTF-8 (iconv -f ";
+  refuse(folder_.file("a.csv", utf16(table, true)), 3, "its text is UTF-16: " + advice + "UTF-16 ");
+  refuse(folder_.file("a.csv", utf16(table, true, false)), 3, "its text is UTF-16: ");
+  refuse(folder_.file("a.csv", utf16(table, false)), 3, advice + "UTF-16LE -t UTF-8)");
+  refuse(folder_.file("a.csv", utf16(table, false, false)), 3, advice + "UTF-16BE -t UTF-8)");
+  const std::string drawing = R"({"type":"FeatureCollection","features":[]})";
+  refuse(folder_.file("a.geojson", utf16(drawing, true)), 3, "its text is UTF-16: ");
+  refuse(folder_.file("a.dxf", utf16("  0\r\nSECTION\r\n  2\r\nHEADER\r\n", true)), 3,
+         "its text is UTF-16: ");
+  const auto segments = folder_.file("lines.csv", utf16("ax,ay,bx,by\n0,0,4,0\n", true));
+  const auto imported = run({"import", segments, "-o", folder_.path("map.txt")});
+  EXPECT_EQ(imported.status, 3);
+  EXPECT_NE(imported.err.find("lines.csv: the file is UTF-16; save it as UTF-8"), std::string::npos)
+      << imported.err;
+}
+
 // Who says all in rules loses nothing.
 TEST_F(BadInput, ShapefileWithoutDbfAndRulesWithoutFields) {
   const auto shp = shapefile();
