@@ -8,6 +8,7 @@
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
 #include "cli/support/findings_text.hpp"
+#include "mapcore/text/encoding.hpp"
 
 namespace mapwright::cli {
 namespace {
@@ -52,6 +53,10 @@ TextTable::TextTable(const std::string& path, const std::vector<std::string>& wo
   const std::string text = read_file(path);
   std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+  if (const auto encoding = text::wide_encoding(rest); !encoding.empty()) {
+    throw Error(ExitStatus::kInput,
+                path_ + ": the file is " + std::string(encoding) + "; save it as UTF-8");
+  }
   for (std::size_t line = 1; !rest.empty(); ++line) {
     const auto end = rest.find('\n');
     const std::string_view content = trimmed(rest.substr(0, end));

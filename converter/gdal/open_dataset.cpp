@@ -2,6 +2,7 @@
 
 #include <cpl_conv.h>
 
+#include <array>
 #include <filesystem>
 
 #include "converter/gdal/csv_reader.hpp"
@@ -10,6 +11,8 @@
 #include "converter/gdal/private_copy.hpp"
 #include "converter/gdal/shapefile_check.hpp"
 #include "converter/gdal/shapefile_index.hpp"
+#include "converter/gdal/stored_file.hpp"
+#include "mapcore/text/encoding.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -100,7 +103,18 @@ bool is_about_open_options(const std::string& warning) {
   return warning.find("open option") != warning.npos;
 }
 
+// GDAL reads no CSV, GeoJSON, DXF or MIF that is not in units of a byte, and does not say why.
+std::string wide_encoding_of(const std::string& path) {
+  std::array<char, 64> start;
+  const auto size = StoredFile(path).read(0, start.data(), start.size());
+  return std::string(text::wide_encoding({start.data(), size}));
+}
+
 std::string refusal(const GdalInput& input, const GdalMessages& messages, bool is_known_format) {
+  if (const auto encoding = wide_encoding_of(input.path); !encoding.empty()) {
+    return input.title + ": cannot be read, for its text is " + encoding +
+           ": save it as UTF-8 (iconv -f " + encoding + " -t UTF-8)";
+  }
   const std::string reason = messages.has_error() ? ": " + messages.first_error() : std::string();
   if (is_known_format) return input.title + ": cannot be read" + reason;
   std::string text = input.title +

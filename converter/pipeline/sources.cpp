@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 Failure without_crs(const VectorSource& source, const LayerInfo& layer,
                     const OpenedSources& opened) {
   const std::string missing =
-      source.driver() == "ESRI Shapefile" ? " (its .prj file is missing or empty)" : "";
+      source.driver() == "ESRI Shapefile" ? " (its .prj file is missing, empty or unreadable)" : "";
   return {
       FailureKind::kInput,
       source.path() + ": layer " + layer.name + " states no coordinate reference system" + missing +

@@ -12,8 +12,20 @@ constexpr std::size_t kBlockBytes = TextIndex::kBlockBytes;
 constexpr std::size_t kFewestControls = 2;
 constexpr std::size_t kBytesPerControl = 32;
 
-bool is_utf16(std::string_view text) {
-  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+// Whether all bytes that far from each other are as `is_right` says.
+bool holds_every_other(std::string_view text, std::size_t first, bool (*is_right)(char)) {
+  for (std::size_t at = first; at < text.size(); at += 2) {
+    if (!is_right(text[at])) return false;
+  }
+  return true;
+}
+
+bool is_zero(char byte) {
+  return byte == '\0';
+}
+
+bool is_plain(char byte) {
+  return (byte >= ' ' && byte <= '~') || byte == '\t' || byte == '\n' || byte == '\r';
 }
 
 bool is_text(std::string_view block) {
@@ -32,12 +44,27 @@ std::size_t count_invalid(std::string_view text) {
 
 }  // namespace
 
+std::string_view wide_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
+  constexpr std::size_t kStart = 16;  // eight characters: no file that is no text begins like that
+  if (text.size() < kStart) return {};
+  const auto start = text.substr(0, kStart);
+  if (holds_every_other(start, 0, is_plain) && holds_every_other(start, 1, is_zero)) {
+    return "UTF-16LE";
+  }
+  const bool is_big_endian =
+      holds_every_other(start, 0, is_zero) && holds_every_other(start, 1, is_plain);
+  return is_big_endian ? "UTF-16BE" : std::string_view();
+}
+
 std::size_t end_of_text(std::string_view text) {
   return end_of_text(text, 0, text.size());
 }
 
 std::size_t end_of_text(std::string_view text, std::size_t begin, std::size_t end) {
-  if (begin == 0 && is_utf16(text)) return 0;
+  if (begin == 0 && !wide_encoding(text).empty()) return 0;
   for (std::size_t at = begin; at < end; at += kBlockBytes) {
     if (!is_text(text.substr(at, std::min(kBlockBytes, end - at)))) return at;
   }
@@ -45,8 +72,9 @@ std::size_t end_of_text(std::string_view text, std::size_t begin, std::size_t en
 }
 
 void report_not_text(std::string_view text, std::size_t end, Defects& defects) {
-  if (is_utf16(text)) {
-    defects.add(FindingCode::F102, 0, "the file is UTF-16; save it as UTF-8");
+  if (const auto encoding = wide_encoding(text); !encoding.empty()) {
+    defects.add(FindingCode::F102, 0,
+                "the file is " + std::string(encoding) + "; save it as UTF-8");
     return;
   }
   const auto control =

@@ -16,6 +16,11 @@ std::size_t end_of_text(std::string_view text);
 /// where all of them are text.
 std::size_t end_of_text(std::string_view text, std::size_t begin, std::size_t end);
 
+/// The encoding, as iconv(1) calls it, of a text in units of two or four bytes: UTF-16 or UTF-32 by
+/// its byte order mark; UTF-16LE or UTF-16BE where every other byte of a start in ASCII is zero.
+/// Empty for all others.
+std::string_view wide_encoding(std::string_view text);
+
 /// Reports that what begins at `end` is not text (F102).
 void report_not_text(std::string_view text, std::size_t end, Defects& defects);
 
