@@ -25,7 +25,8 @@ GeometryKind declared_kind(OGRwkbGeometryType type) {
       OGR_GT_IsCurve(flat)) {
     return GeometryKind::kLine;
   }
-  if (OGR_GT_IsSubClassOf(flat, wkbCurvePolygon) || OGR_GT_IsSubClassOf(flat, wkbMultiSurface)) {
+  if (OGR_GT_IsSubClassOf(flat, wkbCurvePolygon) || OGR_GT_IsSubClassOf(flat, wkbMultiSurface) ||
+      OGR_GT_IsSubClassOf(flat, wkbPolyhedralSurface)) {
     return GeometryKind::kPolygon;
   }
   return GeometryKind::kMixed;
@@ -154,6 +155,10 @@ class LayerReader {
     feature.geometry.clear();
     read_values(*from, feature);
     append_paths(from->GetGeometryRef(), sagitta_, feature.geometry);
+    const auto& geometry = feature.geometry;
+    if (geometry.paths.empty() && !geometry.unsupported.empty()) {
+      feature.broken = "no face of its " + geometry.unsupported + " covers any ground";
+    }
     feature.selected = !has_condition_ || condition_.Evaluate(from.get()) != 0;
     return true;
   }

@@ -2,6 +2,7 @@
 
 #include <ogr_geometry.h>
 
+#include "converter/gdal/surface_footprint.hpp"
 #include "converter/source/arc.hpp"
 
 namespace mapwright::converter {
@@ -13,9 +14,13 @@ class PathBuilder {
 
   void add(const OGRGeometry& geometry);
 
+  /// Whether anything is the ground that a surface in space covers, which has no heights.
+  bool has_footprints() const { return has_footprints_; }
+
  private:
   void add_point(const OGRPoint& point);
   void add_polygon(const OGRCurvePolygon& polygon);
+  bool add_footprint(const OGRGeometry& surface);
   void add_curve_path(const OGRCurve& curve, PathRole role);
   void add_curve(const OGRCurve& curve, bool skip_first);
   void add_line(const OGRSimpleCurve& line, bool skip_first);
@@ -25,6 +30,7 @@ class PathBuilder {
   double sagitta_;
   SourceGeometry& out_;
   bool curved_ = false;
+  bool has_footprints_ = false;
 };
 
 void PathBuilder::add_vertex(double x, double y, double z) {
@@ -91,6 +97,15 @@ void PathBuilder::add_polygon(const OGRCurvePolygon& polygon) {
   }
 }
 
+// A map has no third dimension: of a building in space the ground it covers.
+bool PathBuilder::add_footprint(const OGRGeometry& surface) {
+  const auto footprint = footprint_of(*surface.toPolyhedralSurface());
+  if (!footprint) return false;
+  has_footprints_ = true;
+  add(*footprint);
+  return true;
+}
+
 void PathBuilder::add(const OGRGeometry& geometry) {
   const auto type = wkbFlatten(geometry.getGeometryType());
   if (type == wkbPoint) return add_point(*geometry.toPoint());
@@ -100,6 +115,7 @@ void PathBuilder::add(const OGRGeometry& geometry) {
     for (const auto* part : *geometry.toGeometryCollection()) add(*part);
     return;
   }
+  if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) && add_footprint(geometry)) return;
   out_.unsupported = geometry.getGeometryName();
 }
 
@@ -108,8 +124,9 @@ void PathBuilder::add(const OGRGeometry& geometry) {
 void append_paths(const OGRGeometry* geometry, double sagitta, SourceGeometry& paths) {
   if (geometry == nullptr) return;
   paths.type = geometry->getGeometryName();
-  PathBuilder(sagitta, paths).add(*geometry);
-  if (!geometry->Is3D()) paths.zs.clear();
+  PathBuilder builder(sagitta, paths);
+  builder.add(*geometry);
+  if (!geometry->Is3D() || builder.has_footprints()) paths.zs.clear();
 }
 
 }  // namespace mapwright::converter

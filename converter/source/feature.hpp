@@ -35,7 +35,7 @@ struct SourceGeometry {
   std::vector<double> zs;  ///< as long as xs where the source has heights, else empty
   std::vector<SourcePath> paths;
   std::string type;         ///< "MULTIPOLYGON"; empty for a feature without geometry
-  std::string unsupported;  ///< type of a part no path can stand for (a TIN …); empty if none
+  std::string unsupported;  ///< type of a part no path can stand for (a relation …); empty if none
 
   void clear() {
     xs.clear();
