@@ -2,6 +2,7 @@
 
 #include "converter/gdal/csv_reader.hpp"
 #include "converter/gdal/dxf_reader.hpp"
+#include "converter/gdal/geojson_reader.hpp"
 #include "converter/indoorgml/indoorgml_reader.hpp"
 #include "converter/osm/osm_reader.hpp"
 
@@ -17,7 +18,10 @@ OpenedReader open_single(const GdalInput& input, const DriverNotice& notice) {
     return open_indoorgml(input.path);
   }
   if (is_csv(input.path)) return open_csv(input, notice);
-  return is_dxf(input.path) ? open_dxf(input, notice) : open_gdal(input, notice);
+  if (is_dxf(input.path)) return open_dxf(input, notice);
+  auto reader = open_gdal(input, notice);
+  if (!reader || (*reader)->driver() != "GeoJSON") return reader;
+  return with_checked_shapes(*std::move(reader), input.path);
 }
 
 }  // namespace mapwright::converter

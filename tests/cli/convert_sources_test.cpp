@@ -38,6 +38,12 @@ class Sources : public testing::Test {
   TemporaryFolder folder_;
 };
 
+double area_m2(const Obstacle& obstacle) {
+  double doubled = 0.0;
+  for (const auto& s : obstacle.segments) doubled += s.a.x * s.b.y - s.a.y * s.b.x;
+  return 0.5 * doubled;
+}
+
 constexpr const char* kSquare = "POLYGON((0 0,4 0,4 4,0 4,0 0))";
 
 TEST_F(Sources, TablesNameTheirColumnOfShapesInManyWays) {
@@ -125,6 +131,90 @@ TEST_F(Sources, CollectionsAreTakenApart) {
   EXPECT_EQ(feature(0)["outcome"], "dropped");
 }
 
+// GDAL makes a feature without geometry of each, or leaves the part out that is none.
+TEST_F(Sources, ShapesThatAreNoneByTheRulesOfGeoJsonAreLost) {
+  const std::string ring = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
+  const auto polygon = [](const std::string& rings) {
+    return R"({"type":"Polygon","coordinates":)" + rings + "}";
+  };
+  const auto of_type = [](const std::string& type, const std::string& coordinates) {
+    return R"({"type":")" + type + R"(","coordinates":)" + coordinates + "}";
+  };
+  const auto converted = [&](const std::string& shape) {
+    const auto feature = [](const std::string& geometry) {
+      return R"({"type":"Feature","properties":{"name":"Eixample – façana"},"geometry":)" +
+             geometry + "}";
+    };
+    return convert("a.geojson", R"({"type":"FeatureCollection","features":[)" +
+                                    feature(polygon("[" + ring + "]")) + "," + feature(shape) +
+                                    "]}");
+  };
+  for (const std::string& shape : {
+           polygon("[[0,0],[4,0]]"),
+           polygon("[" + ring + ",null]"),
+           polygon("[" + ring + ",[1,1]]"),
+           polygon("[[[0,0],[4,0],[],[0,4],[0,0]]]"),
+           polygon("[[[0,0],[4],[4,4],[0,0]]]"),
+           of_type("Polygone", "[" + ring + "]"),
+           of_type("MultiPolygon", "[" + ring + "]"),
+           of_type("MultiPolygon", "[[" + ring + "],null]"),
+           of_type("LineString", "[[0,0],null,[4,0]]"),
+           of_type("MultiLineString", "[[[0,0],[4,0]],[4,0]]"),
+           std::string(R"({"rings":[]})"),
+           std::string(R"("POLYGON EMPTY")"),
+           R"({"type":"GeometryCollection","geometries":[)" + polygon("[" + ring + "]") + ",null]}",
+           R"({"type":"GeometryCollection","geometries":[)" + polygon("[" + ring + "]") +
+               R"(,{"type":"Pole","coordinates":[1,1]}]})",
+       }) {
+    const auto refused = converted(shape);
+    EXPECT_EQ(refused.status, 3) << shape << refused.err;
+    EXPECT_EQ(feature(1)["reasons"][0]["code"], "C229") << shape;
+    EXPECT_EQ(feature(0)["outcome"], "written");
+  }
+  for (const std::string& shape : {
+           std::string("null"),
+           polygon("[]"),
+           polygon("[[]]"),
+           of_type("polygon", "[" + ring + "]"),
+           of_type("MultiPolygon", "[[" + ring + ",[[1,1],[2,1],[2,2],[1,1]]]]"),
+           R"({"type":"GeometryCollection","geometries":[)" + polygon("[" + ring + "]") + "]}",
+           of_type("Point", "[1,2,3]"),
+       }) {
+    EXPECT_EQ(converted(shape).status, 0) << shape;
+  }
+}
+
+TEST_F(Sources, ADocumentThatIsOneBrokenShapeIsLost) {
+  const auto refused = convert("a.geojson", R"({"type":"Polygon","coordinates":[[0,0],[4,0]]})");
+  EXPECT_EQ(refused.status, 3) << refused.err;
+  EXPECT_EQ(convert("a.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,0]]]})")
+                .status,
+            0);
+}
+
+// A house with a gabled roof, its faces wound as they like, and a surface of triangles.
+TEST_F(Sources, SurfacesInSpaceBecomeTheGroundTheyCover) {
+  const std::string house =
+      "POLYHEDRALSURFACE Z(((0 0 0,8 0 0,8 6 0,0 6 0,0 0 0)),((0 0 0,8 0 0,8 0 3,0 0 3,0 0 0)),"
+      "((8 0 0,8 6 0,8 6 3,8 3 5,8 0 3,8 0 0)),((0 6 0,8 6 0,8 6 3,0 6 3,0 6 0)),"
+      "((0 0 0,0 6 0,0 6 3,0 3 5,0 0 3,0 0 0)),((0 0 3,8 0 3,8 3 5,0 3 5,0 0 3)),"
+      "((0 6 3,8 6 3,8 3 5,0 3 5,0 6 3)))";
+  const std::string terrace = "TIN(((20 0,24 0,24 4,20 0)),((20 0,24 4,20 4,20 0)))";
+  ASSERT_EQ(convert("a.csv", "id,WKT\n1,\"" + house + "\"\n2,\"" + terrace + "\"\n").status, 0);
+  ASSERT_EQ(map().obstacles.size(), 2U);
+  EXPECT_NEAR(area_m2(map().obstacles[0]), 48.0, 1e-9);
+  EXPECT_NEAR(area_m2(map().obstacles[1]), 16.0, 1e-9);
+  EXPECT_EQ(feature(0)["outcome"], "written");
+}
+
+// One wall alone covers no ground.
+TEST_F(Sources, SurfacesThatCoverNoGroundAreLost) {
+  const std::string wall = "POLYHEDRALSURFACE Z(((0 0 0,8 1 0,8 1 3,0 0 3,0 0 0)))";
+  const auto refused = convert("a.csv", "id,WKT\n1,\"" + wall + "\"\n2,\"" + kSquare + "\"\n");
+  EXPECT_EQ(refused.status, 3) << refused.err;
+  EXPECT_EQ(feature(0)["reasons"][0]["code"], "C229");
+}
+
 std::string drawing(const std::string& layer) {
   return "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1032\n9\n$DWGCODEPAGE\n3\nANSI_"
          "1252\n0\nENDSEC\n0\n"
@@ -145,6 +235,29 @@ TEST_F(Sources, ArchivesOfMacsHoldMoreThanTheFiles) {
   const auto result = test::run({"convert", zip, "--local", "-o", folder_.path("map.txt")});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err.find("MACOSX"), std::string::npos) << result.err;
+}
+
+// GDAL notes beside a gzipped file how long it is when unpacked.
+TEST_F(Sources, NothingIsLeftBesideGzippedFiles) {
+  const auto pack = [&](const std::string& name, const std::string& bytes) {
+    auto* out = VSIFOpenL(("/vsigzip/" + folder_.path(name)).c_str(), "wb");
+    ASSERT_NE(out, nullptr);
+    VSIFWriteL(bytes.data(), 1, bytes.size(), out);
+    VSIFCloseL(out);
+  };
+  pack("site.csv.gz", std::string("id,WKT\n1,\"") + kSquare + "\"\n");
+  pack("site.osm.gz",
+       R"(<osm version="0.6"><node id="1" lat="41" lon="2"/><node id="2" lat="41" lon="2.0001"/>)"
+       R"(<way id="1"><nd ref="1"/><nd ref="2"/><tag k="barrier" v="wall"/></way></osm>)");
+  for (const std::string name : {"site.csv.gz", "site.osm.gz"}) {
+    std::vector<std::string> arguments{"convert", folder_.path(name), "-o",
+                                       folder_.path("map.txt")};
+    if (name == "site.csv.gz") arguments.push_back("--local");
+    std::filesystem::remove(folder_.path("map.georef.json"));
+    const auto result = test::run(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path(name + ".properties"))) << name;
+  }
 }
 
 TEST_F(Sources, DrawingsAreReadInTheEncodingTheyAreIn) {
