@@ -46,6 +46,7 @@ CPLHTTPResult* refuse_http(const char* url, CSLConstList, GDALProgressFunc, void
 void seal() {
   CPLHTTPSetFetchCallback(refuse_http, nullptr);
   CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "{none}");
+  CPLSetConfigOption("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO");  // how long it is, beside it
   CPLSetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "NO");
   CPLSetConfigOption("OGR_ORGANIZE_POLYGONS", "DEFAULT");
   CPLSetConfigOption("OGR_SQLITE_LOAD_EXTENSIONS", nullptr);
