@@ -65,6 +65,13 @@ std::string argument(const Place& place, const DrawingEvidence& evidence) {
         "own units",
         *tread * ground, *tread);
   }
+  // People are as wide everywhere: doors of 0.8 m and more, in their median, are what is built.
+  const auto& door = evidence.door;
+  if (door && *door >= 0.8 && *door <= 1.1 && *door * ground < 0.72) {
+    return with_numbers(
+        "has doors that would be %.2f m wide on the ground, and are %.2f in its own units",
+        *door * ground, *door);
+  }
   if (are_round(evidence)) {
     return with_numbers(
         "has walls of which %.0f %% are whole multiples of 5 cm in its own units, "

@@ -138,6 +138,30 @@ TEST_F(StatedCrs, UtmCalledWebMercatorHasStepsTooShallow) {
   EXPECT_NE(done.err.find("has steps that would be 0.21 m deep"), std::string::npos) << done.err;
 }
 
+std::string doors(double x, double y, double width) {
+  std::string text = "WKT,height\n";
+  for (int i = 0; i < 5; ++i) {
+    const auto at = std::to_string(y + 3.017 * i);
+    text += "\"LINESTRING(" + std::to_string(x) + " " + at + "," + std::to_string(x + width) + " " +
+            at + ")\",2\n";
+  }
+  return text;
+}
+
+TEST_F(StatedCrs, UtmCalledWebMercatorHasDoorsTooNarrow) {
+  const auto said = [&](const std::string& csv) {
+    return run({"convert", folder_.file("doors.csv", csv), "-o", folder_.path("map.txt"),
+                "--source-crs", "EPSG:3857"})
+        .err;
+  };
+  const auto berlin = said(doors(392000, 5820000, 0.9));
+  EXPECT_NE(berlin.find("has doors that would be 0.62 m wide on the ground"), std::string::npos)
+      << berlin;
+  const double paris = 1.0 / std::cos(48.85 * std::acos(-1.0) / 180.0);
+  const auto believed = said(doors(261000, 6250000, 0.9 * paris));
+  EXPECT_EQ(believed.find("is said"), std::string::npos) << believed;
+}
+
 // Paris and Barcelona have such coordinates in Web Mercator too, and round lengths there are
 // nobody's.
 TEST_F(StatedCrs, RealWebMercatorIsBelieved) {
