@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/convert/converted_files.hpp"
+#include "converter/rules/rule_reader.hpp"
 #include "tests/cli/process.hpp"
+#include "tests/support/gis_files.hpp"
 
 namespace mapwright::test {
 namespace {
@@ -86,6 +89,43 @@ TEST_F(Output, AReaderThatGoesAwayLeavesNoTemporaryFile) {
   ::close(ends[1]);
   EXPECT_EQ(wait_for_process(folder_, child, options).status, 128 + SIGPIPE);
   EXPECT_EQ(files(), (std::vector<std::string>{"site.geojson"}));
+}
+
+// Ten megabytes of walls; the process that reads them is a megabyte ahead at most.
+void write_long_walls(const std::string& path) {
+  std::string line = "LINESTRING(0 0";
+  for (int i = 1; i < 200; ++i) line += "," + std::to_string(i) + " " + std::to_string(i % 2);
+  GisLayer walls{"walls", "", {}, wkbLineString};
+  for (int i = 0; i < 3000; ++i) walls.features.push_back({line + ")", {}});
+  write_gis(path, "GPKG", {walls});
+}
+
+// SQLite maps the database: what is gone of it ends the process that reads (SIGBUS), unless SQLite
+// looks at the size first.
+TEST_F(Output, AGeoPackageCutShortWhileItIsReadCannotBeRead) {
+  const std::string path = folder_.path("walls.gpkg");
+  for (const auto kept : {8192U, 5'000'000U}) {
+    write_long_walls(path);
+    ASSERT_GT(fs::file_size(path), 9'000'000U);
+    converter::ConvertOptions options;
+    options.sources = {path};
+    options.local = true;
+    options.rules = *converter::read_rules(std::string(converter::builtin_rules("auto")), "auto");
+    bool is_cut = false;
+    options.progress = [&](std::size_t done, std::size_t) {
+      if (done > 0 && !std::exchange(is_cut, true)) fs::resize_file(path, kept);
+    };
+    {
+      const cli::ConvertedFiles outputs(folder_.path("map.txt"), folder_.path("report.json"));
+      const auto refused = converter::convert(options);
+      ASSERT_TRUE(is_cut);
+      ASSERT_FALSE(refused) << kept;
+      EXPECT_EQ(refused.error().kind, FailureKind::kInput);
+      EXPECT_EQ(refused.error().message.find(path + ": "), 0U) << refused.error().message;
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"site.geojson", "walls.gpkg"}));
+    fs::remove(path);
+  }
 }
 
 }  // namespace
