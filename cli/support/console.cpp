@@ -20,12 +20,26 @@ std::string span_text(double seconds) {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
 }
 
-std::string time_left(Clock::duration gone, std::size_t done, std::size_t total) {
-  const double gone_s = std::chrono::duration<double>(gone).count();
-  if (done == 0 || gone_s < kFirstEstimate_s) return {};
-  const double share = static_cast<double>(total - done) / static_cast<double>(done);
-  return ", " + span_text(gone_s * share) + " left";
-}
+// From what was done since the first news: what comes before it (opening a file) is done once. Work
+// that begins anew, as with the next layer, is judged anew.
+class Pace {
+ public:
+  std::string time_left(Clock::time_point now, std::size_t done, std::size_t total) {
+    if (done < last_ || start_ == Clock::time_point{}) {
+      start_ = now;
+      first_ = done;
+    }
+    last_ = done;
+    const double gone_s = std::chrono::duration<double>(now - start_).count();
+    if (done == first_ || gone_s < kFirstEstimate_s) return {};
+    const double share = static_cast<double>(total - done) / static_cast<double>(done - first_);
+    return ", " + span_text(gone_s * share) + " left";
+  }
+
+ private:
+  Clock::time_point start_;
+  std::size_t first_ = 0, last_ = 0;
+};
 
 std::string bar(const std::string& what, std::size_t done, std::size_t total) {
   const double share = total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total);
@@ -59,14 +73,14 @@ void Console::detail(std::string_view message) {
 
 std::function<void(std::size_t, std::size_t)> Console::progress(std::string_view what) {
   if (!err_is_terminal_ || verbosity_ == Verbosity::kQuiet) return [](std::size_t, std::size_t) {};
-  return [this, text = std::string(what), start = Clock::now(), last = Clock::time_point{}](
+  return [this, text = std::string(what), pace = Pace(), last = Clock::time_point{}](
              std::size_t done, std::size_t total) mutable {
     const auto now = Clock::now();
     if (done < total && now - last < kRedraw) return;
     last = now;
     clear_bar();
     if (done >= total) return;
-    err_ << bar(text, done, total) << time_left(now - start, done, total) << std::flush;
+    err_ << bar(text, done, total) << pace.time_left(now, done, total) << std::flush;
     bar_is_drawn_ = true;
   };
 }
