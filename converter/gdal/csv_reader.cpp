@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "converter/gdal/csv_rows.hpp"
 #include "converter/gdal/geometry_paths.hpp"
 #include "converter/gdal/messages.hpp"
 #include "converter/gdal/stored_file.hpp"
@@ -37,8 +38,11 @@ bool looks_like_a_shape(const std::string& text) {
 
 class CsvReader : public SourceReader {
  public:
-  CsvReader(std::string title, std::unique_ptr<SourceReader> table)
-      : title_(std::move(title)), table_(std::move(table)), warnings_(table_->take_warnings()) {
+  CsvReader(std::string title, std::string path, std::unique_ptr<SourceReader> table)
+      : title_(std::move(title)),
+        path_(std::move(path)),
+        table_(std::move(table)),
+        warnings_(table_->take_warnings()) {
     for (const auto& layer : table_->layers()) {
       auto& columns = columns_.emplace_back();
       for (std::size_t i = 0; i < layer.fields.size(); ++i) {
@@ -62,8 +66,11 @@ class CsvReader : public SourceReader {
     for (const std::size_t column : columns_[layer]) {
       if (!options.fields.empty()) with_shapes.fields.push_back(layers()[layer].fields[column]);
     }
+    const auto cut_row = row_cut_short(path_);
     const auto count = table_->read(layer, with_shapes, [&](SourceFeature& feature) {
       if (feature.geometry.type.empty()) look_again(layer, options.sagitta_m, feature);
+      const bool is_cut = cut_row && feature.fid == static_cast<std::int64_t>(*cut_row);
+      if (is_cut && feature.broken.empty()) feature.broken = "the file ends within its row";
       visit(feature);
     });
     for (auto& warning : table_->take_warnings()) warnings_.push_back(std::move(warning));
@@ -99,7 +106,7 @@ class CsvReader : public SourceReader {
     return true;
   }
 
-  std::string title_;
+  std::string title_, path_;
   std::unique_ptr<SourceReader> table_;
   std::vector<std::vector<std::size_t>> columns_;  // by layer: those of shapes
   std::vector<std::string> warnings_;
@@ -149,7 +156,7 @@ OpenedReader open_csv(const GdalInput& input, const DriverNotice& notice) {
   if (!readable) return tl::unexpected(readable.error());
   auto table = open_gdal(*readable, notice);
   if (!table || (*table)->driver() != "CSV") return table;
-  return std::make_unique<CsvReader>(input.title, *std::move(table));
+  return std::make_unique<CsvReader>(input.title, input.path, *std::move(table));
 }
 
 }  // namespace mapwright::converter

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "converter/gdal/dxf_lines.hpp"
 #include "converter/gdal/stored_file.hpp"
 
 namespace mapwright::converter {
@@ -31,16 +32,6 @@ std::optional<double> unit_m(long code) {
   return std::nullopt;
 }
 
-// The next line from `at` on, without blanks around it.
-std::string_view next_line(std::string_view text, std::size_t& at) {
-  const auto end = std::min(text.find('\n', at), text.size());
-  auto line = text.substr(at, end - at);
-  at = std::min(end + 1, text.size());
-  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
-  while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-  return line;
-}
-
 }  // namespace
 
 bool dxf_is_utf8(const std::string& path) {
@@ -55,11 +46,12 @@ std::optional<double> dxf_metres_per_unit(const std::string& path) {
   std::string header(kHeaderBytes, '\0');
   header.resize(StoredFile(path).read(0, header.data(), header.size()));
   const std::string_view text(header);
-  auto at = text.find("$INSUNITS");
+  const auto at = text.find("$INSUNITS");
   if (at == text.npos || at > text.find("ENDSEC")) return std::nullopt;
-  next_line(text, at);
-  if (next_line(text, at) != "70") return std::nullopt;
-  return unit_m(std::strtol(std::string(next_line(text, at)).c_str(), nullptr, 10));
+  const auto value =
+      DxfLines(text.substr(std::min(text.find('\n', at), text.size() - 1) + 1)).next();
+  if (!value || value->code != 70) return std::nullopt;
+  return unit_m(std::strtol(std::string(value->value).c_str(), nullptr, 10));
 }
 
 }  // namespace mapwright::converter

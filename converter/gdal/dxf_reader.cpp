@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 
+#include "converter/gdal/dxf_entities.hpp"
 #include "converter/gdal/dxf_header.hpp"
 
 namespace mapwright::converter {
@@ -47,13 +48,17 @@ class DxfReader : public SourceReader {
     class_field_ = position_of(fields, "SubClasses");
   }
 
-  Result<void> sort(std::optional<double> stated_unit_m) {
+  Result<void> sort(std::optional<double> stated_unit_m, UnreadEntities unread) {
     std::map<std::string, Found> found;
+    lost_ = std::move(unread.lost);
+    for (const auto& entity : lost_) ++found[entity.layer].features;
+    tell_passed_over(unread.passed_over);
     ReadOptions options;
     options.keep_broken = true;  // whether that is allowed is decided when the layer is read
     const auto count = drawing_->read(0, options, [&](SourceFeature& feature) {
       auto& layer = found[layer_of(feature)];
       ++layer.features;
+      last_fid_ = std::max(last_fid_, feature.fid);
       for (std::size_t i = 0; i < feature.geometry.xs.size(); ++i) {
         layer.box.add({feature.geometry.xs[i], feature.geometry.ys[i]});
       }
@@ -92,11 +97,12 @@ class DxfReader : public SourceReader {
     const auto read = drawing_->read(0, whole, [&](SourceFeature& feature) {
       if (layer_of(feature) != layers_[layer].name) return;
       mark_curves(feature);
+      tell_losses(feature);
       ++count;
       visit(feature);
     });
     if (!read) return tl::unexpected(read.error());
-    return count;
+    return count + visit_lost(layer, visit);
   }
 
  private:
@@ -108,6 +114,43 @@ class DxfReader : public SourceReader {
   std::string layer_of(const SourceFeature& feature) const {
     const auto* name = text_of(feature, layer_field_);
     return name == nullptr || name->empty() ? "0" : *name;
+  }
+
+  // Entities that GDAL passed over stand behind the others, so that the ledger has all of them.
+  std::size_t visit_lost(std::size_t layer, const FeatureVisitor& visit) const {
+    SourceFeature feature;
+    feature.values.resize(layers_[layer].fields.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < lost_.size(); ++i) {
+      if (lost_[i].layer != layers_[layer].name) continue;
+      feature.fid = last_fid_ + 1 + static_cast<std::int64_t>(i);
+      feature.values[layer_field_] = lost_[i].layer;
+      feature.broken = lost_[i].why;
+      visit(feature);
+      ++count;
+    }
+    return count;
+  }
+
+  // A block that is not there is told at the entity that inserts it, not at the one read next.
+  void tell_losses(SourceFeature& feature) const {
+    std::erase_if(feature.warnings, [&](const std::string& warning) {
+      return !lost_.empty() && warning.starts_with("Block ") &&
+             warning.ends_with(" does not exist");
+    });
+    if (!feature.geometry.paths.empty() || !feature.broken.empty()) return;
+    const auto* classes = text_of(feature, class_field_);
+    const bool inserts = classes != nullptr && classes->find("AcDbBlockReference") != classes->npos;
+    if (inserts) return;  // a block without anything
+    feature.broken =
+        "GDAL finds no shape in it" + (classes == nullptr ? "" : " (" + *classes + ")");
+  }
+
+  void tell_passed_over(const std::vector<std::string>& kinds) {
+    if (kinds.empty()) return;
+    std::string all;
+    for (const auto& kind : kinds) all += (all.empty() ? "" : ", ") + kind;
+    warnings_.push_back(title_ + ": passed over, for it stands for nothing solid: " + all);
   }
 
   void mark_curves(SourceFeature& feature) const {
@@ -148,6 +191,8 @@ class DxfReader : public SourceReader {
   std::size_t class_field_ = 0;
   std::vector<LayerInfo> layers_;
   std::vector<Box> boxes_;
+  std::vector<UnreadEntity> lost_;
+  std::int64_t last_fid_ = 0;
   std::vector<std::string> warnings_;
 };
 
@@ -165,9 +210,8 @@ OpenedReader open_dxf(const GdalInput& input, const DriverNotice& notice) {
   auto drawing = open_gdal(input, notice);
   if (!drawing || (*drawing)->driver() != "DXF") return drawing;
   auto reader = std::make_unique<DxfReader>(input, *std::move(drawing));
-  if (auto sorted = reader->sort(dxf_metres_per_unit(input.path)); !sorted) {
-    return tl::unexpected(sorted.error());
-  }
+  auto sorted = reader->sort(dxf_metres_per_unit(input.path), unread_dxf_entities(input.path));
+  if (!sorted) return tl::unexpected(sorted.error());
   if (reader->layers().empty()) return input_failure(input.title + ": the drawing is empty");
   return reader;
 }

@@ -199,6 +199,7 @@ class GdalReader : public SourceReader {
     for (auto* layer : handles_) {
       auto& info = layers_.emplace_back(info_of(*layer));
       info.is_view = views.count(info.name) > 0;
+      tell_other_geometries(*layer);
       const auto& bare = opened_.bare_layers;
       info.lacks_attributes = std::find(bare.begin(), bare.end(), info.name) != bare.end();
     }
@@ -212,6 +213,20 @@ class GdalReader : public SourceReader {
                            const FeatureVisitor& visit) override;
 
  private:
+  // Tables and GML with a schema may have several geometries a feature; a map has one.
+  void tell_other_geometries(OGRLayer& layer) {
+    const auto* definition = layer.GetLayerDefn();
+    std::string others;
+    for (int i = 1; i < definition->GetGeomFieldCount(); ++i) {
+      others +=
+          (others.empty() ? "" : ", ") + std::string(definition->GetGeomFieldDefn(i)->GetNameRef());
+    }
+    if (others.empty()) return;
+    warnings_.push_back(path_ + ": layer " + layer.GetName() +
+                        ": each feature has several geometries: the first is read, and not " +
+                        others);
+  }
+
   Failure broken(std::size_t layer, const std::string& why, std::size_t after) const {
     return {FailureKind::kInput, path_ + ": layer " + layers_[layer].name +
                                      " cannot be read to its end (after " + std::to_string(after) +

@@ -31,6 +31,10 @@ Result<void> check_path(const std::string& path) {
     if (entries == fs::directory_iterator()) return input_failure(path + ": the folder is empty");
     return {};
   }
+  if (!fs::is_regular_file(path, error)) {
+    return input_failure(
+        path + ": is a pipe or a device: sources are files, which are read more than once");
+  }
   const auto size = fs::file_size(path, error);
   if (error) return input_failure(path + ": cannot be read: " + error.message());
   if (size == 0) return input_failure(path + ": the file is empty");

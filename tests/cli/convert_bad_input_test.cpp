@@ -62,6 +62,11 @@ TEST_F(BadInput, MissingFile) {
 TEST_F(BadInput, EmptyFile) {
   refuse(folder_.file("e.gpkg", ""), 3, "the file is empty");
 }
+TEST_F(BadInput, Pipe) {
+  const auto pipe = folder_.path("site.geojson");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  refuse(pipe, 3, "site.geojson: is a pipe or a device: sources are files");
+}
 TEST_F(BadInput, EmptyFolder) {
   fs::create_directory(folder_.path("shapes"));
   refuse(folder_.path("shapes"), 3, "the folder is empty");
