@@ -19,6 +19,8 @@
 #include "converter/pipeline/tidy/dissolving.hpp"
 #include "converter/pipeline/tidy/simplification.hpp"
 #include "converter/pipeline/tidy/snapping.hpp"
+#include "converter/rules/absent_fields.hpp"
+#include "converter/rules/rule_reader.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -168,10 +170,24 @@ void append_views(const OpenedSources& sources, std::vector<std::string>& warnin
   }
 }
 
+// Rules that a person wrote for these sources. The built-in ones know fields of all the world, and
+// OSM has those fields that occur.
+std::vector<std::string> slips_in_rules(const ConvertOptions& options,
+                                        const OpenedSources& sources) {
+  const auto& builtin = builtin_rule_sets();
+  if (std::find(builtin.begin(), builtin.end(), options.rules.name) != builtin.end()) return {};
+  std::vector<const LayerInfo*> layers;
+  for (const auto& job : sources.jobs) {
+    if (job.source->driver() == "OSM") return {};
+    if (job.rules->name == options.rules.name) layers.push_back(&job.info());
+  }
+  return absent_fields(options.rules, layers);
+}
+
 std::vector<std::string> warnings_of(const ConvertOptions& options, const OpenedSources& sources,
                                      const std::optional<Georeference>& georeference,
                                      const ConvertedMap& map) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = slips_in_rules(options, sources);
   for (const auto& source : sources.sources) {
     warnings.insert(warnings.end(), source->warnings().begin(), source->warnings().end());
   }
@@ -260,6 +276,7 @@ Result<std::string> explain_rules(const ConvertOptions& options) {
     if (lines.empty())
       text += "  no rule of " + job.rules->name + " fits: its features are dropped\n";
   }
+  for (const auto& slip : slips_in_rules(options, **sources)) text += slip + "\n";
   return text;
 }
 
