@@ -24,6 +24,16 @@ constexpr double kGreatestPlace_m = 1.0e5;
 
 constexpr std::array<const char*, 4> kCurves{"AcDbCircle", "AcDbArc", "AcDbEllipse", "AcDbSpline"};
 
+// Lettering, and blocks that may hold nothing: no loss without a shape.
+constexpr std::array<const char*, 6> kMayBeBare{
+    "AcDbBlockReference", "AcDbMLeader", "AcDbLeader", "AcDbText", "AcDbMText", "AcDbDimension"};
+
+template <std::size_t N>
+bool is_one_of(const std::array<const char*, N>& names, const std::string& classes) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return classes.find(name) != classes.npos; });
+}
+
 const std::string* text_of(const SourceFeature& feature, std::size_t field) {
   return field < feature.values.size() ? std::get_if<std::string>(&feature.values[field]) : nullptr;
 }
@@ -140,8 +150,7 @@ class DxfReader : public SourceReader {
     });
     if (!feature.geometry.paths.empty() || !feature.broken.empty()) return;
     const auto* classes = text_of(feature, class_field_);
-    const bool inserts = classes != nullptr && classes->find("AcDbBlockReference") != classes->npos;
-    if (inserts) return;  // a block without anything
+    if (classes != nullptr && is_one_of(kMayBeBare, *classes)) return;
     feature.broken =
         "GDAL finds no shape in it" + (classes == nullptr ? "" : " (" + *classes + ")");
   }
@@ -156,10 +165,7 @@ class DxfReader : public SourceReader {
   void mark_curves(SourceFeature& feature) const {
     const auto* classes = text_of(feature, class_field_);
     if (classes == nullptr) return;
-    const bool curved = std::any_of(kCurves.begin(), kCurves.end(), [&](const char* name) {
-      return classes->find(name) != classes->npos;
-    });
-    if (!curved) return;
+    if (!is_one_of(kCurves, *classes)) return;
     for (auto& path : feature.geometry.paths) path.curved = path.role != PathRole::kPoint;
   }
 
