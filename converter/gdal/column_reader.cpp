@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -166,11 +167,15 @@ struct ColumnReader::Impl {
     return !gave_up && batch.release != nullptr;
   }
 
-  bool read(SourceFeature& feature) const {
+  // Ids ascend, for rows come as the table has them. GDAL 3.6 hands the last row out again where
+  // rows are fewer than the count that the database keeps of them.
+  bool read(SourceFeature& feature) {
     const auto* ids = batch.children[0];
     const auto* geometries = batch.children[batch.n_children - 1];
     if (is_null(*ids, row) || is_null(*geometries, row)) return false;
     feature.fid = value_at<std::int64_t>(*ids, row);
+    if (last_id && feature.fid <= *last_id) return false;
+    last_id = feature.fid;
     feature.values.resize(fields);
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const auto& [field, content] = columns[i];
@@ -184,6 +189,7 @@ struct ColumnReader::Impl {
   std::vector<Column> columns;
   std::size_t fields = 0;  // of the layer
   std::size_t row = 0;
+  std::optional<std::int64_t> last_id;
   bool gave_up = false;
 };
 
