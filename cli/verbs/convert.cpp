@@ -104,6 +104,7 @@ class Convert : public Verb {
 
   ExitStatus write(converter::Conversion conversion, ConvertedFiles& files,
                    Console& console) const {
+    const bool is_incomplete = conversion.is_incomplete || has_losses(conversion.ledger);
     const std::string size = std::to_string(conversion.map.obstacle_count()) + " obstacles, " +
                              std::to_string(conversion.map.segment_count()) + " segments";
     auto findings = files.write_map(std::move(conversion.map), conversion.resolution_m, console,
@@ -120,7 +121,7 @@ class Convert : public Verb {
       console.error(arguments_.output() + ": the map is written, but it is not valid");
       return ExitStatus::kNegative;
     }
-    return has_losses(conversion.ledger) ? ExitStatus::kNegative : ExitStatus::kSuccess;
+    return is_incomplete ? ExitStatus::kNegative : ExitStatus::kSuccess;
   }
 
   static bool has_losses(const converter::Ledger& ledger) {

@@ -230,7 +230,7 @@ class GdalReader : public SourceReader {
   Failure broken(std::size_t layer, const std::string& why, std::size_t after) const {
     return {FailureKind::kInput, path_ + ": layer " + layers_[layer].name +
                                      " cannot be read to its end (after " + std::to_string(after) +
-                                     " features): " + why};
+                                     (after == 1 ? " feature): " : " features): ") + why};
   }
   void warn(std::size_t layer, const std::string& text) {
     warnings_.push_back(path_ + ": layer " + layers_[layer].name + ": " + text);
@@ -259,7 +259,12 @@ Result<std::optional<Box>> GdalReader::extent(std::size_t layer) {
 Result<void> GdalReader::check_count(std::size_t layer, std::size_t count, bool keep_broken) {
   const auto declared = layers_[layer].declared_features;
   if (declared < 0 || count == static_cast<std::size_t>(declared)) return {};
-  const auto why = "it declares " + std::to_string(declared) + " features";
+  std::string why =
+      "it declares " + std::to_string(declared) + (declared == 1 ? " feature" : " features");
+  if (driver_ == "ESRI Shapefile") {
+    why += " (rows that are marked as deleted count too: pack the file, as ogrinfo -sql \"REPACK " +
+           layers_[layer].name + "\" does)";
+  }
   if (!keep_broken) return tl::unexpected(broken(layer, why, count));
   warn(layer, why + ", " + std::to_string(count) + " could be read");
   return {};

@@ -8,6 +8,7 @@
 #include "converter/gdal/csv_reader.hpp"
 #include "converter/gdal/drivers.hpp"
 #include "converter/gdal/messages.hpp"
+#include "converter/gdal/mif_check.hpp"
 #include "converter/gdal/private_copy.hpp"
 #include "converter/gdal/shapefile_check.hpp"
 #include "converter/gdal/shapefile_index.hpp"
@@ -133,6 +134,7 @@ Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& n
   if (auto checked = check_shapefiles(input, *readable, opened); !checked) {
     return tl::unexpected(checked.error());
   }
+  if (mif_lacks_values(*readable)) opened.bare_layers.push_back(readable->stem().string());
   GdalMessages messages;
   const auto drivers = null_terminated(input.drivers);
   auto* candidate =

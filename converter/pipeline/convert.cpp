@@ -253,6 +253,7 @@ Result<Conversion> convert(const ConvertOptions& given) {
   conversion.resolution_m = options.resolution_m;
   conversion.georeference = *std::move(georeference);
   conversion.ledger = std::move(workspace.ledger);
+  conversion.is_incomplete = workspace.is_incomplete;
   conversion.warnings = warnings_of(options, **sources, conversion.georeference, conversion.map);
   conversion.warnings.insert(conversion.warnings.end(), workspace.warnings.begin(),
                              workspace.warnings.end());

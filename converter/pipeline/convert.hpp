@@ -47,6 +47,7 @@ struct Conversion {
   std::optional<Georeference> georeference;        ///< nothing for plain local metres
   Ledger ledger;
   std::vector<std::string> warnings;  ///< about the whole, for the person who converts
+  bool is_incomplete = false;         ///< features are missing that no account is about
 };
 
 /// Converts; writes nothing. Fails with kInput where a source cannot be read whole or has no CRS,

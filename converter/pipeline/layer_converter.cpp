@@ -100,6 +100,9 @@ Result<void> LayerConverter::run() {
       job_.source->read(job_.layer, reading, [this](SourceFeature& f) { convert(f); });
   if (failure_) return tl::unexpected(*failure_);
   if (!count) return tl::unexpected(count.error());
+  if (static_cast<std::int64_t>(*count) < job_.info().declared_features) {
+    workspace_.is_incomplete = true;  // with --skip-broken; without, the source was refused
+  }
   if (suspicion_.is_suspect()) {
     return input_failure(job_.source->path() + ": layer " + job_.info().name +
                          ": longitude and latitude look exchanged (right angles are right only the "
@@ -334,7 +337,8 @@ void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t
   auto& ledger = workspace_.ledger;
   if (job_.loses_attributes) {
     ledger.change(account, FindingCode::C231,
-                  "the .dbf file with its height, type and name is missing: defaults stand in");
+                  "the " + attribute_file_of(*job_.source) +
+                      " file with its height, type and name is missing: defaults stand in");
   }
   for (const auto& value : meaning_.unreadable) {
     ledger.change(account, FindingCode::C219, value + " is no quantity and was passed over");

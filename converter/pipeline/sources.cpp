@@ -142,6 +142,14 @@ Result<const RuleSet*> rules_for(const VectorSource& source, bool is_export,
   return nullptr;
 }
 
+}  // namespace
+
+std::string attribute_file_of(const VectorSource& source) {
+  return source.driver() == "MapInfo File" ? ".mid" : ".dbf";
+}
+
+namespace {
+
 // Shapes without the attributes that rules ask for would become obstacles of another height and
 // kind.
 Result<void> check_attributes(LayerJob& job, bool keep_broken) {
@@ -149,10 +157,11 @@ Result<void> check_attributes(LayerJob& job, bool keep_broken) {
   if (!layer.lacks_attributes || !rules_read_fields(*job.rules, layer.name)) return {};
   job.loses_attributes = true;
   if (keep_broken) return {};
-  return input_failure(job.source->path() + ": layer " + layer.name +
-                       ": its .dbf file is missing, and with it the heights, types and names of "
-                       "its features; put it beside the .shp, convert the shapes by themselves "
-                       "with --skip-broken, or by --rules that read no field");
+  return input_failure(
+      job.source->path() + ": layer " + layer.name + ": its " + attribute_file_of(*job.source) +
+      " file is missing, and with it the heights, types and names of "
+      "its features; put it beside the file with the shapes, convert the shapes by themselves "
+      "with --skip-broken, or by --rules that read no field");
 }
 
 Result<void> append_jobs(VectorSource& source, const std::optional<RecordedFrame>& frame,

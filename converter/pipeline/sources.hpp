@@ -39,6 +39,9 @@ struct OpenedSources {
 /// layers without CRS (kInput; the message says how to state one).
 Result<std::unique_ptr<OpenedSources>> open_sources(const ConvertOptions& options);
 
+/// Extension of the file that holds the attributes of a format of several files.
+std::string attribute_file_of(const VectorSource& source);
+
 /// Centre of the layers' extents on WGS 84, rounded to 1e-7 degrees. Fails (kInput) where there is
 /// none.
 Result<GeoPoint> center_of(const OpenedSources& sources, bool swap_axes);

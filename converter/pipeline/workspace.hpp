@@ -33,6 +33,7 @@ struct Workspace {
   PlainObstacles plain;     ///< solids, rooms and walls that nothing has to be done about any more
   Ledger ledger;
   std::vector<std::string> warnings;      ///< about layers, for the person who converts
+  bool is_incomplete = false;             ///< a layer yielded fewer features than it declares
   Box border = kEmptyBox;                 ///< drawn by features of kind border
   std::optional<Border> exported_border;  ///< as `export` wrote it; counts before the drawn one
 };

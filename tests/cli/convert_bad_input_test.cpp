@@ -104,6 +104,31 @@ TEST_F(BadInput, ShapefileWithoutDbf) {
   EXPECT_NE(content_of(folder_.path("r.json")).find("C231"), std::string::npos);
 }
 
+TEST_F(BadInput, MifWithoutMid) {
+  test::write_gis(folder_.path("walls.mif"), "MapInfo File",
+                  {{"walls",
+                    "EPSG:25831",
+                    {{"LINESTRING(430000 4580000,430010 4580001)", {{"height", "2"}}}},
+                    wkbLineString}});
+  const auto mif = folder_.path("walls.mif");
+  EXPECT_EQ(run({"convert", mif, "-o", folder_.path("sound.txt")}).status, 0);
+  fs::remove(folder_.path("walls.mid"));
+  refuse(mif, 3, "its .mid file is missing, and with it the heights");
+  EXPECT_EQ(run({"convert", mif, "--skip-broken", "-o", folder_.path("map.txt")}).status, 1);
+}
+
+// Counted in the header, passed over by GDAL.
+TEST_F(BadInput, ShapefileWithADeletedRow) {
+  const auto shp = shapefile();
+  std::string dbf = content_of(folder_.path("walls.dbf"));
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(dbf[at]); };
+  dbf[byte(8) + 256U * byte(9)] = '*';
+  folder_.file("walls.dbf", dbf);
+  refuse(shp, 3, "pack the file, as ogrinfo -sql \"REPACK walls\" does");
+  const auto rest = run({"convert", shp, "--skip-broken", "-o", folder_.path("map.txt")});
+  EXPECT_EQ(rest.status, 1) << rest.err;
+}
+
 TEST_F(BadInput, LossesOfOneKindAreOneLine) {
   const auto shp = shapefile();
   fs::remove(folder_.path("walls.dbf"));
