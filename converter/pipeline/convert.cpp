@@ -16,6 +16,7 @@
 #include "converter/pipeline/layer_converter.hpp"
 #include "converter/pipeline/leaning_walls.hpp"
 #include "converter/pipeline/sources.hpp"
+#include "converter/pipeline/storey_layers.hpp"
 #include "converter/pipeline/tidy/dissolving.hpp"
 #include "converter/pipeline/tidy/simplification.hpp"
 #include "converter/pipeline/tidy/snapping.hpp"
@@ -229,6 +230,7 @@ std::vector<bool> layers_to_chain(const OpenedSources& sources) {
 Result<Conversion> convert(const ConvertOptions& given) {
   const auto sources = open_sources(given);
   if (!sources) return tl::unexpected(sources.error());
+  const auto storeys = warning_of_storeys(**sources);
   ConvertOptions options = given;
   const auto& recorded = (*sources)->frame;
   if (!given.resolution_is_given && recorded && recorded->resolution_m) {
@@ -255,6 +257,7 @@ Result<Conversion> convert(const ConvertOptions& given) {
   conversion.ledger = std::move(workspace.ledger);
   conversion.is_incomplete = workspace.is_incomplete;
   conversion.warnings = warnings_of(options, **sources, conversion.georeference, conversion.map);
+  if (storeys) conversion.warnings.push_back(*storeys);
   conversion.warnings.insert(conversion.warnings.end(), workspace.warnings.begin(),
                              workspace.warnings.end());
   assert(balances(conversion.ledger));

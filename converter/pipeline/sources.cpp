@@ -9,6 +9,7 @@
 #include "converter/detective/unstated_crs.hpp"
 #include "converter/gdal/archive.hpp"
 #include "converter/pipeline/exported_sources.hpp"
+#include "converter/pipeline/storey_layers.hpp"
 #include "converter/rules/rule_fields.hpp"
 #include "converter/rules/rule_reader.hpp"
 
@@ -95,10 +96,6 @@ Result<void> open_source(const std::string& path, const ConvertOptions& options,
   auto more = open_source(lines, options, opened);
   if (more) opened.frames.back() = *frame;
   return more;
-}
-
-bool overlap(const Box& p, const Box& q) {
-  return p.min_x < q.max_x && q.min_x < p.max_x && p.min_y < q.max_y && q.min_y < p.max_y;
 }
 
 // A map is of one floor: storeys that lie one above the other do not make one.

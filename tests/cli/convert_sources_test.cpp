@@ -59,6 +59,28 @@ TEST_F(Sources, TablesNameTheirColumnOfShapesInManyWays) {
   EXPECT_NE(none.err.find("no column of it holds shapes"), std::string::npos) << none.err;
 }
 
+TEST_F(Sources, StoreysOnTopOfEachOtherAreTold) {
+  const auto said = [&](const std::string& p, const std::string& q, double east) {
+    const auto square = [](double x) {
+      const auto a = std::to_string(x), b = std::to_string(x + 4);
+      return "POLYGON((" + a + " 0," + b + " 0," + b + " 4," + a + " 4," + a + " 0))";
+    };
+    const auto path = folder_.path("site.gpkg");
+    std::filesystem::remove(path);
+    test::write_gis(
+        path, "GPKG",
+        {{p, "", {{square(0), {}}}, wkbPolygon}, {q, "", {{square(east), {}}}, wkbPolygon}});
+    const auto made = test::run({"convert", path, "--local", "-o", folder_.path("map.txt")});
+    EXPECT_LE(made.status, 1) << made.err;
+    return made.err.find("look like storeys") != std::string::npos;
+  };
+  EXPECT_TRUE(said("site_1_walls", "site_B1_walls", 1));
+  EXPECT_TRUE(said("EG", "OG2", 1));
+  EXPECT_FALSE(said("site_1_walls", "site_2_walls", 5)) << "tiles beside each other";
+  EXPECT_FALSE(said("site_1_walls", "site_2_doors", 1));
+  EXPECT_FALSE(said("walls_2019", "walls_2020", 1));
+}
+
 TEST_F(Sources, ViewsBesideTheirTablesAreTold) {
   const auto path = folder_.path("site.gpkg");
   test::write_gis(path, "GPKG",
