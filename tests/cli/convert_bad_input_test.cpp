@@ -105,12 +105,12 @@ TEST_F(BadInput, ShapefileWithoutDbf) {
 }
 
 TEST_F(BadInput, MifWithoutMid) {
-  test::write_gis(folder_.path("walls.mif"), "MapInfo File",
-                  {{"walls",
-                    "EPSG:25831",
-                    {{"LINESTRING(430000 4580000,430010 4580001)", {{"height", "2"}}}},
-                    wkbLineString}});
-  const auto mif = folder_.path("walls.mif");
+  const auto mif =
+      folder_.file("walls.mif",
+                   "Version 300\nCharset \"Neutral\"\nDelimiter \",\"\n"
+                   "CoordSys Earth Projection 8, 115, \"m\", 3, 0, 0.9996, 500000, 0\n"
+                   "Columns 1\n  height Float\nData\n\nLine 430000 4580000 430010 4580001\n");
+  folder_.file("walls.mid", "2\n");
   EXPECT_EQ(run({"convert", mif, "-o", folder_.path("sound.txt")}).status, 0);
   fs::remove(folder_.path("walls.mid"));
   refuse(mif, 3, "its .mid file is missing, and with it the heights");
