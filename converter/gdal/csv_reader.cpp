@@ -66,11 +66,10 @@ class CsvReader : public SourceReader {
     for (const std::size_t column : columns_[layer]) {
       if (!options.fields.empty()) with_shapes.fields.push_back(layers()[layer].fields[column]);
     }
-    const auto cut_row = row_cut_short(path_);
+    const auto faults = faults_of_rows(path_);
     const auto count = table_->read(layer, with_shapes, [&](SourceFeature& feature) {
       if (feature.geometry.type.empty()) look_again(layer, options.sagitta_m, feature);
-      const bool is_cut = cut_row && feature.fid == static_cast<std::int64_t>(*cut_row);
-      if (is_cut && feature.broken.empty()) feature.broken = "the file ends within its row";
+      tell_faults(faults, feature);
       visit(feature);
     });
     for (auto& warning : table_->take_warnings()) warnings_.push_back(std::move(warning));
@@ -78,6 +77,19 @@ class CsvReader : public SourceReader {
   }
 
  private:
+  // GDAL's ids are the numbers of rows.
+  static void tell_faults(const RowFaults& faults, SourceFeature& feature) {
+    const auto row = static_cast<std::size_t>(feature.fid);
+    if (faults.cut_short == row && feature.broken.empty()) {
+      feature.broken = "the file ends within its row";
+    }
+    if (std::binary_search(faults.too_long.begin(), faults.too_long.end(), row)) {
+      feature.warnings.emplace_back(
+          "its row has more values than the table has columns: quote texts and numbers that hold "
+          "the separator");
+    }
+  }
+
   // A text that GDAL made nothing of.
   void look_again(std::size_t layer, double sagitta_m, SourceFeature& feature) const {
     for (const std::size_t column : columns_[layer]) {

@@ -1,15 +1,22 @@
-// Private to this folder: the rows of a table, as far as they tell that it was cut short.
+// Private to this folder: the rows of a table, as far as they tell that values are missing.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mapwright::converter {
 
-/// The number of the last row, from 1 after the heading, where the text ends within it: without an
-/// end of line, and in quotes or before the last of the heading's columns. Commas, semicolons, tabs
-/// and bars may separate. `path` may lie in GDAL's memory.
-std::optional<std::size_t> row_cut_short(const std::string& path);
+/// Numbers of rows count from 1 after the heading.
+struct RowFaults {
+  std::optional<std::size_t> cut_short;  ///< the last row, where the text ends within it: without
+                                         ///< an end of line, in quotes or before the last column
+  std::vector<std::size_t> too_long;  ///< rows with values beyond the last column, ascending
+};
+
+/// Looks at a table whose heading has commas, semicolons, tabs or bars between its columns. `path`
+/// may lie in GDAL's memory.
+RowFaults faults_of_rows(const std::string& path);
 
 }  // namespace mapwright::converter

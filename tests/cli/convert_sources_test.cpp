@@ -156,6 +156,21 @@ TEST_F(Sources, ATableThatEndsWithinARowIsRefused) {
   EXPECT_EQ(convert("a.csv", sound + row + "tower\n").status, 0);  // nobody says that it was cut
 }
 
+// "3,5" without quotes is 3, and a 5 that no column is for.
+TEST_F(Sources, RowsWithMoreValuesThanColumnsAreTold) {
+  const std::string shape = std::string("\"") + kSquare + "\",";
+  const auto made =
+      convert("a.csv", "WKT,height\n" + shape + "3\n" + shape + "3,5\n\n" + shape + "3,\n");
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(feature(0)["outcome"], "written");
+  EXPECT_EQ(feature(1)["outcome"], "changed");
+  EXPECT_NE(feature(1)["reasons"][0]["message"].get<std::string>().find("more values than"),
+            std::string::npos);
+  EXPECT_EQ(feature(2)["outcome"], "written");
+  EXPECT_EQ(convert("a.csv", std::string("WKT\n") + kSquare + "\n").status, 0);
+  EXPECT_EQ(feature(0)["outcome"], "written");
+}
+
 TEST_F(Sources, CollectionsAreTakenApart) {
   const std::string collection =
       std::string("GEOMETRYCOLLECTION(POINT(9 9),LINESTRING(10 0,12 3),") + kSquare +
