@@ -14,6 +14,7 @@
 
 #include "converter/gdal/messages.hpp"
 #include "converter/gdal/wkb_paths.hpp"
+#include "mapcore/text/byte_counts.hpp"
 
 #if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 6, 0)
 #include <ogr_recordbatch.h>
@@ -22,7 +23,7 @@ namespace mapwright::converter {
 namespace {
 
 // Enough that a batch's query costs nothing, few enough that a batch of large geometries fits.
-constexpr const char* kRowsInBatch = "MAX_FEATURES_IN_BATCH=1024";
+constexpr const char* kRowsInBatch = "MAX_FEATURES_IN_BATCH=4096";
 
 // The worker that GDAL would start to read ahead opens the file a second time.
 class OneThread {
@@ -112,7 +113,10 @@ std::span<const char> bytes_at(const ArrowArray& array, std::size_t row) {
 }
 
 bool read_text(std::span<const char> text, FieldValue& value) {
-  if (CPLIsUTF8(text.data(), static_cast<int>(text.size())) == 0) return false;
+  if (!text::is_printable_ascii({text.data(), text.size()}) &&
+      CPLIsUTF8(text.data(), static_cast<int>(text.size())) == 0) {
+    return false;
+  }
   if (auto* known = std::get_if<std::string>(&value))
     known->assign(text.data(), text.size());
   else

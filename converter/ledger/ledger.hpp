@@ -57,7 +57,7 @@ struct LedgerTotals {
 class Ledger {
  public:
   std::vector<LedgerSource> sources;
-  LongList<LedgerFeature> features;
+  LongList<LedgerFeature, kLastingBlock> features;
 
   /// Opens the account of a feature; returns its position.
   std::size_t open(std::size_t source, std::int64_t fid);

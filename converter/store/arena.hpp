@@ -13,7 +13,7 @@ namespace mapwright::converter {
 
 /// Hands out arrays of plain values from large blocks; they stay where they are until the arena
 /// goes.
-template <class T>
+template <class T, std::size_t kMostBytes = kLargestBlock>
 class Arena {
   static_assert(std::is_trivially_copyable_v<T>);
 
@@ -39,7 +39,7 @@ class Arena {
     blocks_.push_back(make_block(bytes));
     next_ = static_cast<T*>(blocks_.back().get());
     left_ = bytes / sizeof(T);
-    block_bytes_ = std::min(2 * block_bytes_, kLargestBlock);
+    block_bytes_ = std::min(2 * block_bytes_, kMostBytes);
   }
 
   std::vector<Block> blocks_;

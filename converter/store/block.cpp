@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 
 #include <cstdint>
+#include <new>
 
 namespace mapwright::converter {
 namespace {
@@ -22,10 +23,22 @@ void populate(void* block, std::size_t bytes) {
 #endif
 }
 
+// Null where the system has none.
+Block map_block(std::size_t bytes) {
+  void* const block =
+      ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return block == MAP_FAILED ? Block() : Block(block, {bytes});
+}
+
 }  // namespace
 
+void ReleaseBlock::operator()(void* block) const {
+  mapped_bytes == 0 ? ::operator delete(block) : static_cast<void>(::munmap(block, mapped_bytes));
+}
+
 Block make_block(std::size_t bytes) {
-  Block block(::operator new(bytes));
+  Block block = bytes >= kLastingBlock ? map_block(bytes) : Block();
+  if (!block) block = Block(::operator new(bytes));
   if (bytes >= kLargestBlock) populate(block.get(), bytes);
   return block;
 }

@@ -12,7 +12,7 @@
 namespace mapwright::converter {
 
 /// A std::deque with chunks of a thousand.
-template <class T>
+template <class T, std::size_t kMostBytes = kLargestBlock>
 class LongList {
  public:
   LongList() = default;
@@ -76,7 +76,7 @@ class LongList {
     chunks_.push_back(reinterpret_cast<T*>(memory_.take(kUnits)));
   }
 
-  Arena<Unit> memory_;
+  Arena<Unit, kMostBytes> memory_;
   std::vector<T*> chunks_;
   std::size_t size_ = 0;
 };

@@ -22,21 +22,22 @@ using text::PointTexts;
   return semantic.find_first_of(";#\n\r") == semantic.npos;
 }
 
-/// Gathers text and hands it to a stream in large pieces.
+/// Gathers text and hands it to a stream in large pieces: of what is written at once, a file system
+/// may keep many pages as one.
 class Block {
  public:
-  explicit Block(std::ostream& out) : out_(out), bytes_(kBytes), at_(bytes_.data()) {}
+  explicit Block(std::ostream& out) : out_(out), bytes_(new char[kBytes]), at_(bytes_.get()) {}
 
   /// Where up to `bytes` may be written; `advance_to` tells how many were.
   char* room_for(std::size_t bytes) {
-    if (bytes > static_cast<std::size_t>(bytes_.data() + kBytes - at_)) flush();
+    if (bytes > static_cast<std::size_t>(bytes_.get() + kBytes - at_)) flush();
     return at_;
   }
   void advance_to(char* end) { at_ = end; }
 
   void flush() {
-    out_.write(bytes_.data(), at_ - bytes_.data());
-    at_ = bytes_.data();
+    out_.write(bytes_.get(), at_ - bytes_.get());
+    at_ = bytes_.get();
   }
 
   /// Text of any length.
@@ -50,9 +51,9 @@ class Block {
   }
 
  private:
-  static constexpr std::size_t kBytes = std::size_t{1} << 16U;
+  static constexpr std::size_t kBytes = std::size_t{1} << 20U;
   std::ostream& out_;
-  std::vector<char> bytes_;
+  std::unique_ptr<char[]> bytes_;  // not set: a small map touches a few pages of it
   char* at_;
 };
 
