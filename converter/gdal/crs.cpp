@@ -43,6 +43,20 @@ OGRSpatialReference wgs84() {
   return reference;
 }
 
+// As the registry has it where that is the same in every respect: GDAL asks both for their text as of
+// 2001, and of what was read from a text PROJ searches its whole database for datums' names then.
+OGRSpatialReference source_of(const Crs& crs) {
+  OGRSpatialReference stated, registered;
+  stated.importFromWkt(crs.wkt.c_str());
+  const char* const strictly[] = {"CRITERION=STRICT", nullptr};
+  const bool is_registered = crs.code.starts_with("EPSG:") &&
+                             registered.SetFromUserInput(crs.code.c_str()) == OGRERR_NONE &&
+                             registered.IsSame(&stated, strictly) != 0;
+  auto& source = is_registered ? registered : stated;
+  source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return source;
+}
+
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
 void transform(OGRCoordinateTransformation* transformation, std::span<double> xs,
@@ -127,9 +141,7 @@ Result<CrsTransform> CrsTransform::create(const Crs& crs, Ways ways) {
   const GdalMessages messages;
   auto impl = std::make_unique<Impl>();
   if (crs.code == "EPSG:4326" || crs.code == "OGC:CRS84") return CrsTransform(std::move(impl));
-  OGRSpatialReference source;
-  source.importFromWkt(crs.wkt.c_str());
-  source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const auto source = source_of(crs);
   const auto target = wgs84();
   impl->forward.reset(OGRCreateCoordinateTransformation(&source, &target));
   const bool both = ways == Ways::kBoth;
