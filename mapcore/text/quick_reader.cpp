@@ -11,33 +11,32 @@ bool are_short(std::string_view point, std::string_view attributes) {
   return point.size() - 1U < 32U && attributes.size() - 1U < 80U;
 }
 
-const char* behind_line_break(const char* at) {
-  return at + (*at == '\n' ? 1 : 0);
-}
-
 }  // namespace
 
 // Only an obstacle's begins with a letter.
 template <class Sink>
 bool QuickReader<Sink>::read_record(const char*& at) {
-  if (read_joined_segment(at)) return true;
+  if (*at == '\n' ? read_joined_segment<1>(at) : read_joined_segment<0>(at)) return true;
   const FieldCursor cursor(at, end_);
   if (*cursor.at() == 'o') return sink_.wants_more() && read_obstacle(at);
   return read_segment(at);
 }
 
 // As most segments are: from the end of the one before it, as high as that one, a line for each
-// point, and long before the end of what is to be read. Others are left to read_segment.
+// point or no lines at all, and long before the end of what is to be read. Others are left to
+// read_segment. How many line breaks there are is not added up: where to read on would wait for it.
 template <class Sink>
+template <int kLineBreaks>
 bool QuickReader<Sink>::read_joined_segment(const char*& at) {
   if (end_ - at < kRoomForSegment || !are_short(last_end_.bytes, last_.bytes)) return false;
-  const char* const first = behind_line_break(at);
+  const char* const first = at + kLineBreaks;
   if (!detail::are_equal(first, last_end_.bytes, kRoomForSegment)) return false;
   const char* const second = first + last_end_.bytes.size();
   Point b;
   const char* const stop = read_short_point(second, b);
   if (stop == nullptr) return false;
-  const char* const third = behind_line_break(stop);
+  if ((*stop == '\n' ? 1 : 0) != kLineBreaks) return false;
+  const char* const third = stop + kLineBreaks;
   if (!detail::are_equal(third, last_.bytes, kRoomForSegment)) return false;
   add_segment(first, last_end_.value, b);
   last_end_.bytes = {second, static_cast<std::size_t>(third - second)};

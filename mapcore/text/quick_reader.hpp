@@ -46,6 +46,7 @@ class QuickReader {
   };
 
   bool read_record(const char*& at);
+  template <int kLineBreaks>
   bool read_joined_segment(const char*& at);
   bool read_segment(const char*& at);
   /// Points stay in memory: a processor waits for one that is written in halves and read as a
