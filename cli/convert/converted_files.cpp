@@ -15,7 +15,9 @@ namespace {
 
 void write_stream(const TemporaryFile& file, const std::string& name,
                   const std::function<void(std::ostream&)>& write) {
-  std::ofstream out(file.path(), std::ios::binary);
+  // The file is new and empty. One that is cut to nothing once more is written to the disk by some
+  // file systems (ext4) while it is closed, at our cost.
+  std::ofstream out(file.path(), std::ios::binary | std::ios::app);
   write(out);
   out.close();
   if (!out) throw Error(ExitStatus::kOutput, name + ": cannot be written to its end");

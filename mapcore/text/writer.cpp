@@ -11,12 +11,15 @@
 #include "mapcore/text/characters.hpp"
 #include "mapcore/text/decimal_format.hpp"
 #include "mapcore/text/point_texts.hpp"
+#include "mapcore/text/segment_tails.hpp"
 
 namespace mapwright {
 namespace {
 
 using text::DecimalFormat;
 using text::PointTexts;
+using text::SegmentTail;
+using text::SegmentTails;
 
 [[maybe_unused]] bool is_writable(std::string_view semantic) {
   return semantic.find_first_of(";#\n\r") == semantic.npos;
@@ -114,7 +117,8 @@ struct MapWriter::Impl {
     const bool on_grid = !chain.grid_points.empty();
     const std::size_t last = (on_grid ? chain.grid_points.size() : chain.points.size()) - 1;
     header(chain.id, chain.shape_type, chain.joined ? last + 1 : last, chain.semantic);
-    set_tail(chain);
+    assert(is_writable(chain.segment_semantic));
+    tail = &tails.of(chain.height_m, chain.in_out, chain.segment_semantic, numbers);
     on_grid ? link_all(chain.grid_points, chain.joined) : link_all(chain.points, chain.joined);
   }
 
@@ -170,41 +174,24 @@ struct MapWriter::Impl {
     text.size = static_cast<std::size_t>(put_point(text.bytes.data(), p) - text.bytes.data());
   }
 
-  // All of a segment behind its ends: often that of the chain before.
-  void set_tail(const ChainRecord& chain) {
-    assert(is_writable(chain.segment_semantic));
-    if (!long_tail.empty() && chain.height_m == tail_height_m && chain.in_out == tail_in_out &&
-        chain.segment_semantic == tail_semantic) {
-      return;
-    }
-    tail_height_m = chain.height_m;
-    tail_in_out = chain.in_out;
-    tail_semantic = chain.segment_semantic;
-    std::array<char, DecimalFormat::kMaxCharacters> height;
-    long_tail.assign(height.data(), numbers.write(height.data(), chain.height_m));
-    long_tail += chain.in_out == InOut::kIndoor ? ";0;" : ";1;";
-    long_tail += text::trimmed(chain.segment_semantic);
-    long_tail += kEnd;
-    tail.size = long_tail.size() <= kPointBytes ? long_tail.size() : 0;
-    std::copy_n(long_tail.data(), tail.size, tail.bytes.data());
-  }
-
   void link(const PointText& a, const PointText& b) {
     char* at = block.room_for(3 * kPointBytes);
     a.append_to(at);
     b.append_to(at);
-    tail.append_to(at);
-    block.advance_to(at);
-    if (tail.size == 0) block.text(long_tail);
+    append_tail(at);
   }
 
   void link(std::size_t a, std::size_t b) {
     char* at = block.room_for(2 * PointTexts::kBytes + kPointBytes);
     texts.append(a, at);
     texts.append(b, at);
-    tail.append_to(at);
+    append_tail(at);
+  }
+
+  void append_tail(char* at) {
+    if (tail->is_short()) tail->append_to(at);
     block.advance_to(at);
-    if (tail.size == 0) block.text(long_tail);
+    if (!tail->is_short()) block.text(tail->text);
   }
 
   Block block;
@@ -212,11 +199,8 @@ struct MapWriter::Impl {
   PointTexts texts;
   PointText first;
   std::array<PointText, 2> others;
-  PointText tail;         // empty where it is a long one
-  std::string long_tail;  // the same, of any length; empty: none yet
-  double tail_height_m = 0.0;
-  InOut tail_in_out = InOut::kOutdoor;
-  std::string tail_semantic;
+  SegmentTails tails;
+  const SegmentTail* tail = nullptr;  // of the chain under way
 };
 
 MapWriter::MapWriter(std::ostream& out, WriteOptions options)
