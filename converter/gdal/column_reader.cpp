@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "converter/gdal/messages.hpp"
-#include "converter/gdal/wkb_paths.hpp"
 #include "mapcore/text/byte_counts.hpp"
 
 #if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 6, 0)
@@ -69,28 +68,25 @@ std::string_view format_of(Content content) {
   return "";
 }
 
-struct Column {
-  std::size_t field = 0;  // in the layer
-  Content content = Content::kNothing;
-};
-
 // Nothing where a field is read whose columns are not its values.
-bool columns_of(OGRFeatureDefn& definition, std::vector<Column>& columns) {
+bool columns_of(OGRFeatureDefn& definition, std::vector<Content>& contents, FeatureRow& row) {
   for (int i = 0; i < definition.GetFieldCount(); ++i) {
     const auto& field = *definition.GetFieldDefn(i);
     if (field.IsIgnored()) continue;
     const auto content = content_of(field);
     if (content == Content::kNothing) return false;
-    columns.push_back({static_cast<std::size_t>(i), content});
+    contents.push_back(content);
+    row.fields.push_back(static_cast<std::uint32_t>(i));
   }
+  row.values.resize(contents.size());
   return definition.GetGeomFieldCount() == 1 && !definition.GetGeomFieldDefn(0)->IsIgnored();
 }
 
 // Ids, the fields, the geometry: as documented for GetArrowStream.
-bool is_as_expected(const ArrowSchema& schema, const std::vector<Column>& columns) {
-  if (schema.n_children != static_cast<std::int64_t>(columns.size()) + 2) return false;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (schema.children[i + 1]->format != format_of(columns[i].content)) return false;
+bool is_as_expected(const ArrowSchema& schema, const std::vector<Content>& contents) {
+  if (schema.n_children != static_cast<std::int64_t>(contents.size()) + 2) return false;
+  for (std::size_t i = 0; i < contents.size(); ++i) {
+    if (schema.children[i + 1]->format != format_of(contents[i])) return false;
   }
   return std::string_view(schema.children[0]->format) == "l" &&
          std::string_view(schema.children[schema.n_children - 1]->format) == "z";
@@ -112,21 +108,16 @@ std::span<const char> bytes_at(const ArrowArray& array, std::size_t row) {
   return {bytes + offsets[row], static_cast<std::size_t>(offsets[row + 1] - offsets[row])};
 }
 
-bool read_text(std::span<const char> text, FieldValue& value) {
-  if (!text::is_printable_ascii({text.data(), text.size()}) &&
-      CPLIsUTF8(text.data(), static_cast<int>(text.size())) == 0) {
-    return false;
-  }
-  if (auto* known = std::get_if<std::string>(&value))
-    known->assign(text.data(), text.size());
-  else
-    value.emplace<std::string>(text.data(), text.size());
-  return true;
+bool read_text(std::span<const char> bytes, RowValue& value) {
+  const std::string_view text(bytes.data(), bytes.size());
+  value = text;
+  return text::is_printable_ascii(text) ||
+         CPLIsUTF8(text.data(), static_cast<int>(text.size())) != 0;
 }
 
-bool read_value(const ArrowArray& array, std::size_t row, Content content, FieldValue& value) {
+bool read_value(const ArrowArray& array, std::size_t row, Content content, RowValue& value) {
   if (is_null(array, row)) {
-    value.emplace<std::monostate>();
+    value = std::monostate();
     return true;
   }
   switch (content) {
@@ -165,7 +156,7 @@ struct ColumnReader::Impl {
     const GdalMessages unheard;
     const OneThread one;
     release_batch();
-    row = 0;
+    at = 0;
     const int error = stream.get_next(&stream, &batch);
     gave_up = error != 0 || unheard.has_error();
     return !gave_up && batch.release != nullptr;
@@ -173,26 +164,24 @@ struct ColumnReader::Impl {
 
   // Ids ascend, for rows come as the table has them. GDAL 3.6 hands the last row out again where
   // rows are fewer than the count that the database keeps of them.
-  bool read(SourceFeature& feature) {
+  bool read() {
     const auto* ids = batch.children[0];
     const auto* geometries = batch.children[batch.n_children - 1];
-    if (is_null(*ids, row) || is_null(*geometries, row)) return false;
-    feature.fid = value_at<std::int64_t>(*ids, row);
-    if (last_id && feature.fid <= *last_id) return false;
-    last_id = feature.fid;
-    feature.values.resize(fields);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const auto& [field, content] = columns[i];
-      if (!read_value(*batch.children[i + 1], row, content, feature.values[field])) return false;
+    if (is_null(*ids, at) || is_null(*geometries, at)) return false;
+    row.fid = value_at<std::int64_t>(*ids, at);
+    if (last_id && row.fid <= *last_id) return false;
+    last_id = row.fid;
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+      if (!read_value(*batch.children[i + 1], at, contents[i], row.values[i])) return false;
     }
-    return append_wkb(std::as_bytes(bytes_at(*geometries, row)), feature.geometry);
+    return find_paths(std::as_bytes(bytes_at(*geometries, at)), row.geometry);
   }
 
   ArrowArrayStream stream{};
   ArrowArray batch{};
-  std::vector<Column> columns;
-  std::size_t fields = 0;  // of the layer
-  std::size_t row = 0;
+  std::vector<Content> contents;  // of the fields that are read
+  FeatureRow row;
+  std::size_t at = 0;  // the row's number in the batch
   std::optional<std::int64_t> last_id;
   bool gave_up = false;
 };
@@ -206,27 +195,25 @@ std::unique_ptr<ColumnReader> ColumnReader::open(OGRLayer& layer) {
   auto impl = std::make_unique<Impl>();
   auto& definition = *layer.GetLayerDefn();
   const bool has_ids = layer.GetFIDColumn()[0] != '\0';
-  if (!has_ids || !columns_of(definition, impl->columns)) return nullptr;
-  impl->fields = static_cast<std::size_t>(definition.GetFieldCount());
+  if (!has_ids || !columns_of(definition, impl->contents, impl->row)) return nullptr;
   CPLStringList options;
   options.AddString(kRowsInBatch);
   if (!layer.GetArrowStream(&impl->stream, options.List())) return nullptr;
   ArrowSchema schema{};
   if (impl->stream.get_schema(&impl->stream, &schema) != 0) return nullptr;
-  const bool fits = is_as_expected(schema, impl->columns);
+  const bool fits = is_as_expected(schema, impl->contents);
   schema.release(&schema);
   return fits ? std::unique_ptr<ColumnReader>(new ColumnReader(std::move(impl))) : nullptr;
 }
 
-bool ColumnReader::next(SourceFeature& feature) {
+const FeatureRow* ColumnReader::next() {
   auto& impl = *impl_;
-  while (impl.batch.release == nullptr || impl.row == static_cast<std::size_t>(impl.batch.length)) {
-    if (impl.gave_up || !impl.next_batch()) return false;
+  while (impl.batch.release == nullptr || impl.at == static_cast<std::size_t>(impl.batch.length)) {
+    if (impl.gave_up || !impl.next_batch()) return nullptr;
   }
-  feature.geometry.clear();
-  impl.gave_up = !impl.read(feature);
-  ++impl.row;
-  return !impl.gave_up;
+  impl.gave_up = !impl.read();
+  ++impl.at;
+  return impl.gave_up ? nullptr : &impl.row;
 }
 
 bool ColumnReader::gave_up() const {
@@ -246,8 +233,8 @@ ColumnReader::~ColumnReader() = default;
 std::unique_ptr<ColumnReader> ColumnReader::open(OGRLayer&) {
   return nullptr;
 }
-bool ColumnReader::next(SourceFeature&) {
-  return false;
+const FeatureRow* ColumnReader::next() {
+  return nullptr;
 }
 bool ColumnReader::gave_up() const {
   return true;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "converter/source/feature.hpp"
+#include "converter/source/feature_row.hpp"
 
 class OGRLayer;
 
@@ -25,8 +25,8 @@ class ColumnReader {
   static std::unique_ptr<ColumnReader> open(OGRLayer& layer);
   ~ColumnReader();
 
-  /// The next feature; false at the end or where it gives up.
-  bool next(SourceFeature& feature);
+  /// The next feature; null at the end or where it gives up.
+  const FeatureRow* next();
   bool gave_up() const;
 
  private:

@@ -43,8 +43,9 @@ OGRSpatialReference wgs84() {
   return reference;
 }
 
-// As the registry has it where that is the same in every respect: GDAL asks both for their text as of
-// 2001, and of what was read from a text PROJ searches its whole database for datums' names then.
+// As the registry has it where that is the same in every respect: GDAL asks both for their text as
+// of 2001, and of what was read from a text PROJ searches its whole database for datums' names
+// then.
 OGRSpatialReference source_of(const Crs& crs) {
   OGRSpatialReference stated, registered;
   stated.importFromWkt(crs.wkt.c_str());

@@ -117,35 +117,24 @@ class LayerReader {
            condition_.Compile(layer_.GetLayerDefn(), where.c_str()) == OGRERR_NONE;
   }
 
-  // Reads by columns as long as they hold all there is to say about a feature.
-  void try_columns() {
+  // Reads by columns, from the beginning, as long as they hold all there is to say about a feature;
+  // tells how many.
+  std::size_t read_columns(FeatureSink& sink) {
     const bool is_geopackage = std::string_view(dataset_.GetDriverName()) == "GPKG";
-    if (is_geopackage && !mixed_ && !has_condition_) columns_ = ColumnReader::open(layer_);
+    if (!is_geopackage || mixed_ || has_condition_) return 0;
+    auto columns = ColumnReader::open(layer_);
+    if (!columns) return 0;
+    std::size_t count = 0;
+    for (; const FeatureRow* row = columns->next(); ++count) sink.add(*row);
+    is_at_end_ = !columns->gave_up();
+    columns.reset();
+    if (!is_at_end_) pass_over(count);
+    return count;
   }
 
+  // One of those that follow.
   bool next(SourceFeature& feature) {
-    if (columns_) {
-      if (columns_->next(feature)) {
-        ++by_columns_;
-        return true;
-      }
-      if (!columns_->gave_up()) return false;
-      leave_columns();
-    }
-    return next_classic(feature);
-  }
-
- private:
-  // Goes on with the feature that the columns were left at.
-  void leave_columns() {
-    columns_.reset();
-    layer_.ResetReading();
-    for (std::size_t i = 0; i < by_columns_; ++i) {
-      const OGRFeatureUniquePtr known(layer_.GetNextFeature());
-    }
-  }
-
-  bool next_classic(SourceFeature& feature) {
+    if (is_at_end_) return false;
     const OGRFeatureUniquePtr from = next_of_layer();
     if (!from) return false;
     feature.fid = from->GetFID();
@@ -161,6 +150,15 @@ class LayerReader {
     }
     feature.selected = !has_condition_ || condition_.Evaluate(from.get()) != 0;
     return true;
+  }
+
+ private:
+  // From the layer's beginning.
+  void pass_over(std::size_t features) {
+    layer_.ResetReading();
+    for (std::size_t i = 0; i < features; ++i) {
+      const OGRFeatureUniquePtr known(layer_.GetNextFeature());
+    }
   }
 
   // Formats that hold their layers mixed (OSM) cannot be read layer by layer: those of others are
@@ -180,8 +178,7 @@ class LayerReader {
   double sagitta_;
   OGRFeatureQuery condition_;
   bool has_condition_ = false;
-  std::unique_ptr<ColumnReader> columns_;
-  std::size_t by_columns_ = 0;  // features read so
+  bool is_at_end_ = false;
 };
 
 class GdalReader : public SourceReader {
@@ -210,7 +207,13 @@ class GdalReader : public SourceReader {
   std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
   Result<std::optional<Box>> extent(std::size_t layer) override;
   Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
-                           const FeatureVisitor& visit) override;
+                           const FeatureVisitor& visit) override {
+    return read_layer(layer, options, nullptr, visit);
+  }
+  Result<std::size_t> read_into(std::size_t layer, const ReadOptions& options,
+                                FeatureSink& sink) override {
+    return read_layer(layer, options, &sink, [&](SourceFeature& feature) { sink.add(feature); });
+  }
 
  private:
   // Tables and GML with a schema may have several geometries a feature; a map has one.
@@ -236,6 +239,9 @@ class GdalReader : public SourceReader {
     warnings_.push_back(path_ + ": layer " + layers_[layer].name + ": " + text);
   }
   Result<void> check_count(std::size_t layer, std::size_t count, bool keep_broken);
+  // Rows go to `rows`, unless null, and features to `visit`.
+  Result<std::size_t> read_layer(std::size_t layer, const ReadOptions& options, FeatureSink* rows,
+                                 const FeatureVisitor& visit);
 
   std::string path_;
   OpenedDataset opened_;
@@ -270,8 +276,8 @@ Result<void> GdalReader::check_count(std::size_t layer, std::size_t count, bool 
   return {};
 }
 
-Result<std::size_t> GdalReader::read(std::size_t layer, const ReadOptions& options,
-                                     const FeatureVisitor& visit) {
+Result<std::size_t> GdalReader::read_layer(std::size_t layer, const ReadOptions& options,
+                                           FeatureSink* rows, const FeatureVisitor& visit) {
   GdalMessages messages;
   const auto& info = layers_[layer];
   LayerReader reader(*opened_.dataset, *handles_[layer], info, options);
@@ -279,9 +285,8 @@ Result<std::size_t> GdalReader::read(std::size_t layer, const ReadOptions& optio
     return usage_failure("--where: '" + options.where + "' does not fit layer " + info.name + ": " +
                          messages.first_error());
   }
-  reader.try_columns();
+  std::size_t count = rows == nullptr ? 0 : reader.read_columns(*rows);
   SourceFeature feature;
-  std::size_t count = 0;
   while (reader.next(feature)) {
     if (messages.has_error()) {
       const auto why = "feature " + std::to_string(feature.fid) + ": " + messages.first_error();

@@ -1,6 +1,7 @@
 #include "converter/isolation/reader_service.hpp"
 
 #include <new>
+#include <utility>
 
 #include "converter/isolation/wire.hpp"
 
@@ -30,6 +31,28 @@ class Service {
   void fail(const Failure& failure) { say(Word::kFailure, failure); }
 
  private:
+  // Puts features of a layer into batches.
+  class Sink : public FeatureSink {
+   public:
+    Sink(Service& service, std::size_t fields, std::vector<std::uint32_t> values)
+        : service_(service), fields_(fields), values_(std::move(values)) {}
+
+    void add(SourceFeature& feature) override {
+      feature.values.resize(fields_);
+      put(service_.features_, feature, values_);
+      service_.send_full_batch();
+    }
+    void add(const FeatureRow& row) override {
+      put(service_.features_, row, values_);
+      service_.send_full_batch();
+    }
+
+   private:
+    Service& service_;
+    std::size_t fields_;                 // of the layer
+    std::vector<std::uint32_t> values_;  // that are sent
+  };
+
   void answer(const Frame& request) {
     WireReader wire(request.bytes.data(), request.bytes.size());
     std::uint64_t layer = 0;
@@ -54,12 +77,8 @@ class Service {
     read_ = 0;
     begin_batch();
     const auto& info = reader_->layers()[layer];
-    const auto values = sent_values(info, options);
-    const auto count = reader_->read(layer, options, [&](SourceFeature& feature) {
-      feature.values.resize(info.fields.size());
-      put(features_, feature, values);
-      if (features_.size() >= kBatchBytes) send_batch();
-    });
+    Sink sink(*this, info.fields.size(), sent_values(info, options));
+    const auto count = reader_->read_into(layer, options, sink);
     if (features_.size() > 0) send_batch();
     wait_until_read(filled_);
     say(Word::kWarnings, reader_->take_warnings());
@@ -92,6 +111,10 @@ class Service {
     if (batches_ == nullptr) return;
     if (filled_ >= SharedBatches::kSlots) wait_until_read(filled_ - SharedBatches::kSlots + 1);
     features_.write_to(batches_->slot(filled_));
+  }
+
+  void send_full_batch() {
+    if (features_.size() >= kBatchBytes) send_batch();
   }
 
   void send_batch() {

@@ -6,14 +6,17 @@
 namespace mapwright::converter {
 namespace {
 
-// By the variant's alternatives. A text keeps its memory from feature to feature.
-void put_value(WireWriter& wire, const FieldValue& value) {
+// By the variant's alternatives, which are the same for values of features and of rows.
+template <class Text>
+void put_value(WireWriter& wire,
+               const std::variant<std::monostate, std::int64_t, double, Text>& value) {
   wire.put(static_cast<std::uint8_t>(value.index()));
   if (const auto* whole = std::get_if<std::int64_t>(&value)) wire.put(*whole);
   if (const auto* number = std::get_if<double>(&value)) wire.put(*number);
-  if (const auto* text = std::get_if<std::string>(&value)) wire.put(*text);
+  if (const auto* text = std::get_if<Text>(&value)) wire.put(*text);
 }
 
+// A text keeps its memory from feature to feature.
 void get_value(WireReader& wire, FieldValue& value) {
   std::uint8_t kind = 0;
   wire.get(kind);
@@ -104,6 +107,28 @@ void put(WireWriter& wire, const SourceFeature& feature, const std::vector<std::
   wire.put(feature.broken);
   wire.put(feature.warnings);
   wire.put(feature.reencoded);
+}
+
+void put(WireWriter& wire, const FeatureRow& row, const std::vector<std::uint32_t>& values) {
+  const auto& geometry = row.geometry;
+  const std::uint32_t points = geometry.point_count();
+  wire.put(FeatureHead{row.fid, static_cast<std::uint32_t>(values.size()), points,
+                       static_cast<std::uint32_t>(geometry.paths.size()), geometry.has_heights});
+  const std::size_t places = geometry.has_heights ? 3 : 2;
+  char* at = wire.take_room(places * points * sizeof(double));
+  for (std::size_t place = 0; place < places; ++place) at = copy_numbers(geometry, place, at);
+  std::uint32_t first = 0;
+  for (const auto& path : geometry.paths) {
+    wire.put(SourcePath{first, path.count, path.role, false});
+    first += path.count;
+  }
+  wire.put(geometry.type);
+  std::size_t next = 0;
+  for (const auto field : values) {
+    while (next < row.fields.size() && row.fields[next] < field) ++next;
+    const bool is_read = next < row.fields.size() && row.fields[next] == field;
+    put_value(wire, is_read ? row.values[next] : RowValue());
+  }
 }
 
 void get(WireReader& wire, SourceFeature& feature, const std::vector<std::uint32_t>& values) {

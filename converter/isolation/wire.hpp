@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -22,10 +23,11 @@ class WireWriter {
     std::memcpy(room(sizeof value), &value, sizeof value);
     size_ += sizeof value;
   }
-  void put(const std::string& text) {
+  void put(std::string_view text) {
     put(static_cast<std::uint32_t>(text.size()));
     append(text.data(), text.size());
   }
+  void put(const std::string& text) { put(std::string_view(text)); }
   template <class T>
   void put(const std::vector<T>& values) {
     put(static_cast<std::uint32_t>(values.size()));
@@ -41,6 +43,13 @@ class WireWriter {
   requires std::is_trivially_copyable_v<T>
   void put_values(const std::vector<T>& values) {
     append(values.data(), values.size() * sizeof(T));
+  }
+
+  /// Where so many bytes are to be put, by somebody else.
+  char* take_room(std::size_t bytes) {
+    char* const at = room(bytes);
+    size_ += bytes;
+    return at;
   }
 
   std::span<const char> bytes() const { return {at_, size_}; }
@@ -146,6 +155,8 @@ class WireReader {
 std::vector<std::uint32_t> sent_values(const LayerInfo& layer, const ReadOptions& options);
 
 void put(WireWriter& wire, const SourceFeature& feature, const std::vector<std::uint32_t>& values);
+/// The same bytes as for a feature that holds the row's.
+void put(WireWriter& wire, const FeatureRow& row, const std::vector<std::uint32_t>& values);
 /// Values that are not sent stay as they are.
 void get(WireReader& wire, SourceFeature& feature, const std::vector<std::uint32_t>& values);
 

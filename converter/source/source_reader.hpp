@@ -9,6 +9,7 @@
 
 #include "converter/gdal/crs.hpp"
 #include "converter/source/feature.hpp"
+#include "converter/source/feature_row.hpp"
 #include "mapcore/point.hpp"
 #include "mapcore/result.hpp"
 
@@ -60,6 +61,10 @@ class SourceReader {
   /// the layer. Returns the number of features.
   virtual Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
                                    const FeatureVisitor& visit) = 0;
+
+  /// The same for a sink, which takes features as rows, too, where the source has such.
+  virtual Result<std::size_t> read_into(std::size_t layer, const ReadOptions& options,
+                                        FeatureSink& sink);
 };
 
 using OpenedReader = Result<std::unique_ptr<SourceReader>>;

@@ -17,8 +17,8 @@ struct SegmentTail {
   static constexpr std::size_t kShort = 48;
 
   bool is_short() const { return text.size() <= kShort; }
-  /// For short ones: copies the text to `at` and moves `at` behind it; writes kShort bytes, whatever
-  /// the length: a few moves, no call.
+  /// For short ones: copies the text to `at` and moves `at` behind it; writes kShort bytes,
+  /// whatever the length: a few moves, no call.
   void append_to(char*& at) const {
     std::memcpy(at, begin.data(), kShort);
     at += text.size();
@@ -28,8 +28,8 @@ struct SegmentTail {
   std::array<char, kShort> begin{};  ///< of the text
 };
 
-/// Remembers the tails of the last segments: neighbours differ in height, but a layer has few heights
-/// and fewer labels.
+/// Remembers the tails of the last segments: neighbours differ in height, but a layer has few
+/// heights and fewer labels.
 class SegmentTails {
  public:
   /// Until the next one is asked for. No reserved characters in `semantic`.

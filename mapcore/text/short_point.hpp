@@ -59,7 +59,8 @@ struct ShortDecimal {
 
 /// Both values at once, by neighbours: digits to pairs, pairs to fours, fours to numbers. Exact:
 /// eight digits fit a double, and one division rounds once.
-[[gnu::always_inline]] inline void read_values(const char* p, const ShortDecimal& x, const ShortDecimal& y, Point& value) {
+[[gnu::always_inline]] inline void read_values(const char* p, const ShortDecimal& x,
+                                               const ShortDecimal& y, Point& value) {
   const auto two = [](std::uint64_t low, std::uint64_t high) {
     return _mm_set_epi64x(static_cast<std::int64_t>(high), static_cast<std::int64_t>(low));
   };

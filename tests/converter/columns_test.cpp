@@ -111,8 +111,8 @@ TEST_F(Columns, GiveWayToFeaturesWhereTheyMust) {
       {"TIN (((0 0,1 0,0 1,0 0)))", {}}};
   for (const auto& one : odd) {
     std::vector<test::GisFeature> features;
-    for (int i = 0; i < 400; ++i) features.insert(features.end(), kPlain.begin(), kPlain.end());
-    features.insert(features.begin() + 1500, one);
+    for (int i = 0; i < 500; ++i) features.insert(features.end(), kPlain.begin(), kPlain.end());
+    features.insert(features.begin() + 4300, one);
     const auto path = written(features);
     const auto columns = read_all(path, "");
     EXPECT_EQ(columns.ids.size(), features.size());
@@ -161,12 +161,12 @@ TEST_F(Columns, LeaveNoRowOut) {
 // With holes in the numbering of rows GDAL fills the columns by another query.
 TEST_F(Columns, DoNotMindMissingRows) {
   std::vector<test::GisFeature> features;
-  for (int i = 0; i < 400; ++i) features.insert(features.end(), kPlain.begin(), kPlain.end());
+  for (int i = 0; i < 500; ++i) features.insert(features.end(), kPlain.begin(), kPlain.end());
   const auto path = written(features);
   {
     const GDALDatasetUniquePtr dataset(GDALDataset::Open(
         path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
-    for (const GIntBig id : {1, 700, 701, 2500}) {
+    for (const GIntBig id : {1, 700, 701, 4300}) {
       ASSERT_EQ(dataset->GetLayer(0)->DeleteFeature(id), OGRERR_NONE);
     }
   }

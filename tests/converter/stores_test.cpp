@@ -1,7 +1,11 @@
 // Compact stores: lists, arenas, and chains against the obstacles they stand for.
 #include <gtest/gtest.h>
+#include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <climits>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -66,15 +70,46 @@ TEST(NoneOrMore, ForgetsOnRequest) {
   EXPECT_TRUE(list.empty());
 }
 
-TEST(LongList, KeepsAllOfIt) {
-  LongList<std::unique_ptr<int>> list;
-  for (int i = 0; i < 5000; ++i) list.push_back(std::make_unique<int>(i));
+template <class List>
+void expect_to_keep(int count) {
+  List list;
+  for (int i = 0; i < count; ++i) list.push_back(std::make_unique<int>(i));
   const auto* first = &list[0];
-  LongList<std::unique_ptr<int>> moved = std::move(list);
+  List moved = std::move(list);
   EXPECT_EQ(&moved[0], first) << "what it holds stays where it is";
   int expected = 0;
   for (const auto& number : moved) EXPECT_EQ(*number, expected++);
-  EXPECT_EQ(expected, 5000);
+  EXPECT_EQ(expected, count);
+}
+
+TEST(LongList, KeepsAllOfIt) {
+  expect_to_keep<LongList<std::unique_ptr<int>>>(5000);
+}
+
+// Five mebibytes of them.
+TEST(LongList, KeepsAllOfItInLastingBlocks) {
+  expect_to_keep<LongList<std::unique_ptr<int>, kLastingBlock>>(5 << 17);
+}
+
+// What lasts lies beside the heap, so that the memory of what goes becomes one piece again: so much
+// can be had without the heap growing. (The settings are those with which it grows when it must.)
+TEST(LongList, LeavesTheHeapInOnePieceWhereItLasts) {
+  ::mallopt(M_MMAP_MAX, 0);
+  ::mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  ::mallopt(M_TOP_PAD, 0);
+  using Item = std::array<char, 32>;
+  constexpr std::size_t kItems = std::size_t{1} << 19U;
+  LongList<Item, kLastingBlock> lasting;
+  {
+    LongList<Item> passing;
+    for (std::size_t i = 0; i < kItems; ++i) {
+      lasting.push_back({});
+      passing.push_back({});
+    }
+  }
+  const void* const end = ::sbrk(0);
+  ::operator delete(::operator new(kItems * sizeof(Item) / 4 * 3));
+  EXPECT_EQ(::sbrk(0), end);
 }
 
 TEST(Arena, HandsOutRoomThatNobodyElseHas) {

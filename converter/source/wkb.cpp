@@ -1,4 +1,4 @@
-#include "converter/gdal/wkb_paths.hpp"
+#include "converter/source/wkb.hpp"
 
 #include <array>
 #include <bit>
@@ -30,10 +30,11 @@ constexpr std::uint32_t kOldWithHeights = 0x80000000U;  // as OGC wrote them bef
 
 class WkbReader {
  public:
-  WkbReader(std::span<const std::byte> wkb, SourceGeometry& out) : left_(wkb), out_(out) {}
+  WkbReader(std::span<const std::byte> wkb, WkbPaths& out) : left_(wkb), out_(out) {}
 
   bool read() {
     std::uint32_t type = 0;
+    out_.paths.clear();
     if (!take_header(type, true)) return false;
     out_.type = kNames[type];
     return type <= kPolygon ? read_single(type) : read_parts(type - 3);
@@ -57,13 +58,17 @@ class WkbReader {
     type &= ~kOldWithHeights;
     if (dimensions == 0) dimensions = type / 1000 * 1000;
     if (dimensions != kOldWithHeights) type -= dimensions;
-    if (is_whole) dimensions_ = dimensions;
-    has_heights_ =
-        dimensions_ == kOldWithHeights || dimensions_ == kWithHeights || dimensions_ == kWithBoth;
-    const bool is_known = dimensions_ == 0 || has_heights_ || dimensions_ == kWithMeasures;
-    numbers_ = 2U + (has_heights_ ? 1U : 0U) +
-               (dimensions_ >= kWithMeasures && dimensions_ != kOldWithHeights ? 1U : 0U);
+    if (is_whole) set_dimensions(dimensions);
+    const bool is_known = dimensions_ == 0 || out_.has_heights || dimensions_ == kWithMeasures;
     return is_known && dimensions == dimensions_ && type >= kPoint && type <= kMultiPolygon;
+  }
+
+  void set_dimensions(std::uint32_t dimensions) {
+    const bool has_measures = dimensions >= kWithMeasures && dimensions != kOldWithHeights;
+    dimensions_ = dimensions;
+    out_.has_heights =
+        dimensions == kOldWithHeights || dimensions == kWithHeights || dimensions == kWithBoth;
+    out_.numbers = 2U + (out_.has_heights ? 1U : 0U) + (has_measures ? 1U : 0U);
   }
 
   bool read_parts(std::uint32_t part) {
@@ -89,8 +94,10 @@ class WkbReader {
 
   // An empty point is written as one that is not a number.
   bool read_point() {
-    return append(1, PathRole::kPoint) &&
-           !(std::isnan(out_.xs.back()) || std::isnan(out_.ys.back()));
+    if (!append(1, PathRole::kPoint)) return false;
+    std::array<double, 2> place;
+    std::memcpy(place.data(), out_.paths.back().points, sizeof place);
+    return !(std::isnan(place[0]) || std::isnan(place[1]));
   }
 
   bool read_path(PathRole role) {
@@ -99,33 +106,39 @@ class WkbReader {
   }
 
   bool append(std::uint32_t count, PathRole role) {
-    if (count > left_.size() / (numbers_ * sizeof(double))) return false;
-    const std::size_t first = out_.xs.size();
-    out_.xs.resize(first + count);
-    out_.ys.resize(first + count);
-    if (has_heights_) out_.zs.resize(first + count);
-    const std::byte* at = left_.data();
-    for (std::size_t i = first; i < first + count; ++i, at += numbers_ * sizeof(double)) {
-      std::memcpy(&out_.xs[i], at, sizeof(double));
-      std::memcpy(&out_.ys[i], at + sizeof(double), sizeof(double));
-      if (has_heights_) std::memcpy(&out_.zs[i], at + 2 * sizeof(double), sizeof(double));
-    }
-    left_ = left_.subspan(count * numbers_ * sizeof(double));
-    out_.paths.push_back({static_cast<std::uint32_t>(first), count, role, false});
+    const std::size_t bytes = out_.numbers * sizeof(double);
+    if (count > left_.size() / bytes) return false;
+    out_.paths.push_back({role, count, left_.data()});
+    left_ = left_.subspan(count * bytes);
     return true;
   }
 
   std::span<const std::byte> left_;
-  SourceGeometry& out_;
+  WkbPaths& out_;
   std::uint32_t dimensions_ = 0;
-  std::size_t numbers_ = 2;  // of a point
-  bool has_heights_ = false;
 };
 
 }  // namespace
 
-bool append_wkb(std::span<const std::byte> wkb, SourceGeometry& paths) {
+std::uint32_t WkbPaths::point_count() const {
+  std::uint32_t count = 0;
+  for (const auto& path : paths) count += path.count;
+  return count;
+}
+
+bool find_paths(std::span<const std::byte> wkb, WkbPaths& paths) {
   return WkbReader(wkb, paths).read();
+}
+
+char* copy_numbers(const WkbPaths& paths, std::size_t place, char* to) {
+  const std::size_t step = paths.numbers * sizeof(double);
+  for (const auto& path : paths.paths) {
+    const std::byte* from = path.points + place * sizeof(double);
+    for (std::uint32_t i = 0; i < path.count; ++i, from += step, to += sizeof(double)) {
+      std::memcpy(to, from, sizeof(double));
+    }
+  }
+  return to;
 }
 
 }  // namespace mapwright::converter
