@@ -1,6 +1,8 @@
 // The map frame against PROJ, by way of the WKT that other programs read.
 #include <gtest/gtest.h>
+
 #include <ogr_spatialref.h>
+#include <array>
 
 #include <cmath>
 #include <memory>
@@ -92,6 +94,41 @@ TEST(FrameAxes, GridScaleIsTakenOut) {
   double y = 4582000.0;
   transform->to_wgs84({&x, 1}, {&y, 1});
   EXPECT_NEAR(LocalFrame(*g).to_map(GeoPoint{x, y}).x, 1000.0 / 0.9996, 1e-4);
+}
+
+// A registered CRS is taken from the registry: that must not move a point. Their datums have
+// members, several ways lead to WGS 84, or the stated one is not the registered one.
+TEST(FrameAxes, RegisteredAndStatedCrsAreOne) {
+  for (const auto* code : {"EPSG:25831", "EPSG:32631", "EPSG:3857", "EPSG:2062", "EPSG:23031",
+                           "EPSG:27700", "EPSG:31370", "EPSG:4258", "EPSG:2154"}) {
+    auto crs = parse_crs(code);
+    ASSERT_TRUE(crs.has_value()) << code;
+    const auto registered = CrsTransform::create(*crs);
+    crs->code.clear();
+    const auto stated = CrsTransform::create(*crs);
+    ASSERT_TRUE(registered.has_value() && stated.has_value()) << code;
+    std::array<double, 2> x{crs->geographic ? 2.1 : 428000.25, crs->geographic ? 4.2 : 512345.5};
+    std::array<double, 2> y{crs->geographic ? 41.4 : 458000.75, crs->geographic ? 50.1 : 180123.5};
+    auto stated_x = x, stated_y = y;
+    registered->to_wgs84(x, y);
+    stated->to_wgs84(stated_x, stated_y);
+    EXPECT_EQ(x, stated_x) << code;
+    EXPECT_EQ(y, stated_y) << code;
+  }
+}
+
+// Nor may a code that the stated CRS does not keep to.
+TEST(FrameAxes, StatedCrsIsHeldAgainstItsCode) {
+  auto crs = parse_crs("EPSG:25831");
+  ASSERT_TRUE(crs.has_value());
+  auto other = parse_crs("EPSG:25830");
+  ASSERT_TRUE(other.has_value());
+  other->code = "EPSG:25831";
+  const auto transform = CrsTransform::create(*other);
+  ASSERT_TRUE(transform.has_value());
+  double x = 500000.0, y = 4582000.0;
+  transform->to_wgs84({&x, 1}, {&y, 1});
+  EXPECT_NEAR(x, -3.0, 1e-9) << "the central meridian of zone 30";
 }
 
 TEST(FrameAxes, HeadingCountsFromTheGridOfTheOrigin) {

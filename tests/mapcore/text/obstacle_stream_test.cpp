@@ -110,6 +110,29 @@ TEST(ObstacleStream, ShowsWhatReadingGives) {
   EXPECT_GT(plain, 2900);
 }
 
+// Line breaks may be missing or more; everywhere, or here and there.
+TEST(ObstacleStream, ShowsTheSameMapWhateverTheLineBreaks) {
+  Random random(113);
+  for (int i = 0; i < 1000; ++i) {
+    const Map map = test::random_map(random, {6, 12});
+    if (!shown(format_map(map))) continue;
+    for (const std::uint64_t share : {1, 2, 20}) {
+      for (const std::string_view instead : {"", "\n\n", "\r\n"}) {
+        std::string text;
+        for (const char c : format_map(map)) {
+          if (c == '\n' && random.below(share) == 0)
+            text += instead;
+          else
+            text += c;
+        }
+        const auto map_shown = shown(text);
+        ASSERT_TRUE(map_shown) << text;
+        ASSERT_EQ(*map_shown, quantized(map)) << text;
+      }
+    }
+  }
+}
+
 // Whatever hands do to a text: what is shown as plain is what the reader finds no defect in.
 TEST(ObstacleStream, IsNeverSurerThanTheReader) {
   static constexpr std::string_view kBytes = "0123456789-.;#\n \tobe\x01\xC3,+\r";
