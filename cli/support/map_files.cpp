@@ -25,9 +25,9 @@ MapDocument read_map_file(const std::string& path) {
   return read_map(std::move(text));
 }
 
-void keep_to_the_end(std::unique_ptr<MapDocument> document) {
-  static auto* const kept = new std::vector<std::unique_ptr<MapDocument>>;  // never destroyed
-  kept->push_back(std::move(document));
+void keep_to_the_end(std::shared_ptr<const void> kept) {
+  static auto* const all = new std::vector<std::shared_ptr<const void>>;  // never destroyed
+  all->push_back(std::move(kept));
 }
 
 Result<std::optional<Georeference>> read_sidecar(const std::string& map_path) {

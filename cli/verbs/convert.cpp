@@ -4,6 +4,7 @@
 #include "cli/convert/source_watch.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/findings_text.hpp"
+#include "cli/support/map_files.hpp"
 #include "cli/verb.hpp"
 #include "converter/ledger/obstacle_sources.hpp"
 
@@ -78,7 +79,11 @@ class Convert : public Verb {
     report_conversion(conversion, console);
     files.write_report(conversion.ledger, console);
     if (const auto refused = refusal(conversion, console)) return *refused;
-    return write(std::move(conversion), files, console);
+    const auto status = write(conversion, files, console);
+    if (!arguments_.watches()) {
+      keep_to_the_end(std::make_shared<converter::Conversion>(std::move(conversion)));
+    }
+    return status;
   }
 
   // Why no map is written although the sources could be read.
@@ -102,7 +107,8 @@ class Convert : public Verb {
     return std::nullopt;
   }
 
-  ExitStatus write(converter::Conversion conversion, ConvertedFiles& files,
+  // Lets the map go.
+  ExitStatus write(converter::Conversion& conversion, ConvertedFiles& files,
                    Console& console) const {
     const bool is_incomplete = conversion.is_incomplete || has_losses(conversion.ledger);
     const std::string size = std::to_string(conversion.map.obstacle_count()) + " obstacles, " +
