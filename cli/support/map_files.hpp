@@ -19,8 +19,9 @@ MapText read_map_text(const std::string& path);
 /// cannot be read; defects of its text are findings of the document.
 MapDocument read_map_file(const std::string& path);
 
-/// Keeps a document, or what else is large, until the process ends, which then gives back its memory
-/// at once: millions of pieces one by one would cost a tenth of the time it took to read them.
+/// Keeps a document, or what else is large, until the process ends, which then gives back its
+/// memory at once: millions of pieces one by one would cost a tenth of the time it took to read
+/// them.
 void keep_to_the_end(std::shared_ptr<const void> kept);
 
 /// The georeference beside a map; nothing where there is no sidecar, or the map is standard input.
