@@ -150,6 +150,29 @@ TEST(TextSurvey, ProvesWhatLiesApartWithinItsBorder) {
   EXPECT_FALSE(survey_text(text_with({-1e9, 10.0, 10.0, -10.0}, {})).is_sound);  // absurd
 }
 
+// More than lie in one bucket; the two that share a name are anywhere.
+TEST(TextSurvey, FindsANameThatComesTwiceAmongThousands) {
+  constexpr std::size_t kObstacles = 5000;
+  Map map{{-2.0, 502.0, 502.0, -2.0}, {}};
+  for (std::size_t i = 0; i < kObstacles; ++i) {
+    const Point at{5.0 * static_cast<double>(i % 100), 10.0 * static_cast<double>(i / 100)};
+    auto box = test::solid(static_cast<std::int64_t>(i + 1), {at.x, at.y, at.x + 2.0, at.y + 2.0});
+    box.semantic = Semantic("building,name=house " + std::to_string(i));
+    map.obstacles.push_back(std::move(box));
+  }
+  Tally tally;
+  ASSERT_TRUE(agrees(format_map(map), tally));
+  EXPECT_EQ(tally.sound, 1);
+  Random random(115);
+  for (int i = 0; i < 20; ++i) {
+    Map other = map;
+    const std::size_t p = random.below(kObstacles), q = random.below(kObstacles);
+    other.obstacles[p].semantic = map.obstacles[q].semantic;
+    ASSERT_TRUE(agrees(format_map(other), tally)) << p << " " << q;
+  }
+  EXPECT_GE(tally.surveyed, 19);
+}
+
 TEST(TextSurvey, KnowsWhetherObstaclesNameTheirSources) {
   auto obstacle = test::solid(1, {-5, -5, -3, -3});
   EXPECT_FALSE(survey_text(text_with(kBorder, {obstacle})).may_name_sources);

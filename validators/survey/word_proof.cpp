@@ -7,6 +7,7 @@
 
 #include "mapcore/text/byte_counts.hpp"
 #include "validators/characters.hpp"
+#include "validators/survey/repeated_hash.hpp"
 #include "validators/vocabulary.hpp"
 
 namespace mapwright::validators {
@@ -142,37 +143,11 @@ bool WordProver::is_sound_label(std::string_view label) {
 
 void NameSet::add(std::string_view name, std::string_view level) {
   const std::hash<std::string_view> hash;
-  const std::uint64_t key =
-      std::max<std::uint64_t>(1, hash(name) ^ (level.empty() ? 0 : std::rotl(hash(level), 31)));
-  if (2 * (count_ + kWaiting) > slots_.size()) grow();
-  __builtin_prefetch(&slots_[key & (slots_.size() - 1)]);
-  const std::uint64_t waited = std::exchange(waiting_[count_++ % kWaiting], key);
-  if (waited != 0) insert(waited);
+  hashes_.push_back(hash(name) ^ (level.empty() ? 0 : std::rotl(hash(level), 31)));
 }
 
-bool NameSet::may_repeat() {
-  for (auto& key : waiting_) {
-    if (key != 0) insert(std::exchange(key, 0));
-  }
-  return may_repeat_;
-}
-
-void NameSet::insert(std::uint64_t key) {
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t at = key & mask;
-  for (; slots_[at] != 0; at = (at + 1) & mask) {
-    if (slots_[at] == key) may_repeat_ = true;
-    if (may_repeat_) return;
-  }
-  slots_[at] = key;
-}
-
-void NameSet::grow() {
-  const auto old = std::exchange(slots_, {});
-  slots_.assign(std::max<std::size_t>(1024, 4 * old.size()), 0);
-  for (const auto key : old) {
-    if (key != 0) insert(key);
-  }
+bool NameSet::may_repeat() const {
+  return some_repeat(hashes_);
 }
 
 }  // namespace mapwright::validators

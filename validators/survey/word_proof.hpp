@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -82,20 +83,12 @@ class NameSet {
  public:
   void add(std::string_view name, std::string_view level);
 
-  /// False only if no name was added twice for a level.
-  bool may_repeat();
+  /// False only if no name was added twice for a level. They are looked at now, and not when they
+  /// came: a table of all of them does not fit into the cache.
+  bool may_repeat() const;
 
  private:
-  // A key waits for its slot to arrive in the cache.
-  static constexpr std::size_t kWaiting = 16;
-
-  void grow();
-  void insert(std::uint64_t key);
-
-  std::vector<std::uint64_t> slots_;  // 0 where empty
-  std::size_t count_ = 0;             // of names added
-  std::array<std::uint64_t, kWaiting> waiting_{};
-  bool may_repeat_ = false;
+  std::vector<std::uint64_t> hashes_;
 };
 
 }  // namespace mapwright::validators
