@@ -54,7 +54,7 @@ class Block {
   }
 
  private:
-  static constexpr std::size_t kBytes = std::size_t{1} << 20U;
+  static constexpr std::size_t kBytes = std::size_t{1} << 18U;
   std::ostream& out_;
   std::unique_ptr<char[]> bytes_;  // not set: a small map touches a few pages of it
   char* at_;
