@@ -3,6 +3,7 @@
 #include "converter/gdal/csv_reader.hpp"
 #include "converter/gdal/dxf_reader.hpp"
 #include "converter/gdal/geojson_reader.hpp"
+#include "converter/gdal/xml_coordinates.hpp"
 #include "converter/indoorgml/indoorgml_reader.hpp"
 #include "converter/osm/osm_reader.hpp"
 
@@ -20,8 +21,15 @@ OpenedReader open_single(const GdalInput& input, const DriverNotice& notice) {
   if (is_csv(input.path)) return open_csv(input, notice);
   if (is_dxf(input.path)) return open_dxf(input, notice);
   auto reader = open_gdal(input, notice);
-  if (!reader || (*reader)->driver() != "GeoJSON") return reader;
-  return with_checked_shapes(*std::move(reader), input.path);
+  if (!reader) return reader;
+  const auto& driver = (*reader)->driver();
+  if (driver == "GeoJSON") return with_checked_shapes(*std::move(reader), input.path);
+  if (driver == "LIBKML" || driver == "KML" || driver == "GML") {
+    if (const auto word = word_among_coordinates(input.path)) {
+      return input_failure(input.title + ": cannot be read: " + *word);
+    }
+  }
+  return reader;
 }
 
 }  // namespace mapwright::converter
