@@ -13,18 +13,15 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "navcore/engine/alone-inl.hpp"
+#include "navcore/engine/group-inl.hpp"
 #include "navcore/engine/kernels.hpp"
-#include "navcore/engine/stairs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace mapwright::navcore::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // -- scans -------------------------------------------------------------------------------------
-
-// Scans that are cast together. The i-th is the scan of start starts[i], its inverse ranges are
-// Workspace::inverse(i).
-using ScansTogether = std::span<const StartInCell>;
 
 // Calls `finish(scans)`, whose spans are in the workspace.
 template <class Finish>
@@ -38,34 +35,29 @@ HWY_INLINE void cast_listed(const ScanSetup& setup, const ScanStarts& starts, Sc
   finish(scans);
 }
 
-// Asks for a cell's list ahead of time: its header and its first two blocks.
+// Asks for a cell's list ahead of time: as many lines as most lists have.
 HWY_INLINE void prefetch(const PackedCell& cell) {
   const auto* bytes = reinterpret_cast<const char*>(&cell);
-  for (int line = 0; line < 9; ++line) __builtin_prefetch(bytes + line * static_cast<int>(kLine));
+  constexpr int kUsualLines = 5;
+  for (int line = 0; line < kUsualLines; ++line)
+    __builtin_prefetch(bytes + line * static_cast<int>(kLine));
 }
 
-// Calls `finish(scans)` for the scans of `work.alone`. They go through the stages a few at a time:
-// the spans of one scan come out of a long chain of dependent operations, and the
-// processor works on several such chains at once as long as no branch hangs on their outcome.
+// Calls `finish(scans)` for the scans of `work.alone`. They go through each stage together: the
+// processor works on several of them at once as long as no branch hangs on what a single one sees.
 template <class Finish>
 HWY_INLINE void for_each_alone(const ScanSetup& setup, const ScanStarts& starts, Workspace& work,
                                Finish&& finish) {
-  constexpr std::size_t kTogether = 4;
   const ScansTogether alone = work.alone;
   for (std::size_t begin = 0; begin < alone.size(); begin += kTogether) {
     const std::size_t end = std::min(alone.size(), begin + kTogether);
     const std::size_t ahead = std::min(alone.size(), end + kTogether);
     for (std::size_t i = end; i < ahead; ++i) prefetch(*alone[i].cell);
+    const ScansTogether scans = alone.subspan(begin, end - begin);
     work.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      find_walls(starts, alone[i], work.row(i - begin), *setup.beams, work);
-    }
-    for (std::size_t i = begin; i < end; ++i) {
-      for (const PackedStairs& stairs : alone[i].cell->stairs()) {
-        find_steps(starts, alone[i], i - begin, stairs, *setup.beams, work);
-      }
-    }
-    cast_listed(setup, starts, alone.subspan(begin, end - begin), work, finish);
+    find_walls(setup, starts, scans, work);
+    find_steps(setup, starts, scans, work);
+    cast_listed(setup, starts, scans, work, finish);
   }
 }
 

@@ -25,7 +25,8 @@ std::byte* Arena::allocate(std::size_t bytes) {
   bytes = (bytes + kLine - 1) / kLine * kLine;
   if (bytes > left_) {
     const std::size_t chunk = std::max(bytes, kChunkBytes);
-    chunks_.emplace_back(static_cast<std::byte*>(::operator new (chunk, std::align_val_t{kLine})));
+    chunks_.emplace_back(
+        static_cast<std::byte*>(::operator new (chunk + kLine, std::align_val_t{kLine})));
     next_ = chunks_.back().get();
     left_ = chunk;
     bytes_ += chunk;
@@ -62,7 +63,7 @@ CellCache::CellCache(const Scene& scene, const Reach& reach, std::size_t budget_
       reach_(reach),
       cells_per_metre_(1.0 / reach.cell_size_m),
       budget_bytes_(budget_bytes) {
-  nowhere_ = pack(CellWalls{}, {}, always_.allocate(packed_size(CellWalls{})));
+  nowhere_ = pack(CellWalls{}, always_.allocate(packed_size(CellWalls{})));
 }
 
 std::size_t CellCache::memory_bytes() const {
@@ -95,7 +96,7 @@ void CellCache::compile(std::span<const CellKey> keys, unsigned threads) {
   });
   for (std::size_t i = 0; i < keys.size(); ++i) {
     std::byte* const memory = young_.arena.allocate(packed_size(walls[i]));
-    young_.table.insert(keys[i], pack(walls[i], center_of(keys[i]), memory));
+    young_.table.insert(keys[i], pack(walls[i], memory));
   }
 }
 

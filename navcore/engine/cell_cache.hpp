@@ -43,7 +43,7 @@ inline bool has_cell(Point p, double cell_size_m) {
 /// Memory that is only ever freed as a whole.
 class Arena {
  public:
-  /// Aligned to a line.
+  /// Aligned to a line; of the line that follows, too, anything may be read.
   std::byte* allocate(std::size_t bytes);
   std::size_t bytes() const { return bytes_; }  ///< taken from the system
 

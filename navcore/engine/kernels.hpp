@@ -19,6 +19,9 @@ struct ScanSetup {
   const Scene* scene = nullptr;
   const BeamTable* beams = nullptr;
   double height_m = 0.0;
+
+  /// Of a field of view up to 180°, what lies so far (metres) behind the laser comes near no ray.
+  float behind_m = 0.0F;
 };
 
 /// The kernels of one instruction set.

@@ -1,104 +1,90 @@
 #include "navcore/engine/packed_cell.hpp"
 
-#include <algorithm>
-#include <cstring>
 #include <new>
 #include <vector>
 
 namespace mapwright::navcore::engine {
 namespace {
 
-std::size_t lanes_of(const std::vector<CellWall>& walls) {
-  return padded_to_block(walls.size());
+std::size_t segments_of(const CellStairs& stairs) {
+  return stairs.tops.size() + stairs.low_steps.size() + stairs.stops.size();
 }
 
-std::size_t lanes_of(const CellWalls& walls) {
-  std::size_t lanes = lanes_of(walls.two_sided) + lanes_of(walls.one_sided);
-  for (const CellStairs& stairs : walls.stairs) {
-    lanes += padded_to_block(stairs.tops.size() + stairs.low_steps.size() + stairs.stops.size());
-  }
-  return lanes;
+std::size_t segments_of(const CellWalls& walls) {
+  std::size_t segments = walls.two_sided.size() + walls.one_sided.size();
+  for (const CellStairs& stairs : walls.stairs) segments += segments_of(stairs);
+  return segments;
 }
 
-constexpr std::size_t size_in_bytes(std::size_t lanes, std::size_t stairs) {
-  const std::size_t bytes = sizeof(PackedCell) +
-                            lanes * (4 * sizeof(float) + sizeof(std::uint32_t)) +
-                            stairs * sizeof(PackedStairs);
-  return (bytes + kLine - 1) / kLine * kLine;
+constexpr std::size_t size_in_bytes(std::size_t segments, std::size_t stairs) {
+  return sizeof(PackedCell) + stairs * sizeof(PackedStairs) +
+         segments * (4 * sizeof(float) + sizeof(std::uint32_t));
 }
 
-/// Fills lanes one run after the other.
-class LaneWriter {
+/// Writes segments run by run.
+class SegmentWriter {
  public:
-  LaneWriter(float* blocks, std::uint32_t* items) : blocks_(blocks), items_(items) {}
+  SegmentWriter(float* floats, std::uint32_t* items) : floats_(floats), items_(items) {}
 
-  LaneRun write(const std::vector<CellWall>& walls) {
-    const std::uint32_t first = next_;
-    append(walls);
-    return end_run(first);
-  }
+  void begin(std::size_t count) { run_ = {next_, static_cast<std::uint32_t>(count)}; }
+  const SegmentRun& run() const { return run_; }
+  std::uint32_t next() const { return next_; }
 
-  PackedStairs write(const CellStairs& stairs) {
-    PackedStairs packed;
-    const std::uint32_t first = next_;
-    append(stairs.tops);
-    packed.first_low_step = next_;
-    append(stairs.low_steps);
-    packed.first_stop = next_;
-    append(stairs.stops);
-    packed.lanes = end_run(first);
-    return packed;
+  void write(const std::vector<CellWall>& walls) {
+    for (const CellWall& wall : walls) {
+      float* const at = floats_ + std::size_t{4} * run_.first + (next_ - run_.first);
+      at[0] = static_cast<float>(wall.a.x);
+      at[std::size_t{1} * run_.count] = static_cast<float>(wall.a.y);
+      at[std::size_t{2} * run_.count] = static_cast<float>(wall.b.x);
+      at[std::size_t{3} * run_.count] = static_cast<float>(wall.b.y);
+      items_[next_++] = wall.item;
+    }
   }
 
  private:
-  void append(const std::vector<CellWall>& walls) {
-    for (const CellWall& wall : walls) write(next_++, wall);
-  }
-
-  LaneRun end_run(std::uint32_t first) {
-    const LaneRun run{first, next_ - first};
-    next_ = first + static_cast<std::uint32_t>(padded_to_block(run.count));
-    return run;
-  }
-
-  void write(std::size_t lane, const CellWall& wall) {
-    float* const at = blocks_ + lane / kBlock * (4 * kBlock) + lane % kBlock;
-    at[0 * kBlock] = static_cast<float>(wall.a.x);
-    at[1 * kBlock] = static_cast<float>(wall.a.y);
-    at[2 * kBlock] = static_cast<float>(wall.b.x);
-    at[3 * kBlock] = static_cast<float>(wall.b.y);
-    items_[lane] = wall.item;
-  }
-
-  float* blocks_;
+  float* floats_;
   std::uint32_t* items_;
+  SegmentRun run_;
   std::uint32_t next_ = 0;
 };
+
+PackedStairs pack(const CellStairs& stairs, SegmentWriter& writer) {
+  PackedStairs packed;
+  writer.begin(segments_of(stairs));
+  packed.segments = writer.run();
+  writer.write(stairs.tops);
+  packed.first_low_step = writer.next();
+  writer.write(stairs.low_steps);
+  packed.first_stop = writer.next();
+  writer.write(stairs.stops);
+  return packed;
+}
 
 }  // namespace
 
 std::size_t packed_size(const CellWalls& walls) {
-  return size_in_bytes(lanes_of(walls), walls.stairs.size());
+  return size_in_bytes(segments_of(walls), walls.stairs.size());
 }
 
 std::size_t packed_size(const PackedCell& cell) {
-  return size_in_bytes(cell.lanes, cell.stairs_count);
+  return size_in_bytes(cell.size, cell.stairs_count);
 }
 
-const PackedCell* pack(const CellWalls& walls, Point center, std::byte* memory) {
-  std::memset(memory, 0, packed_size(walls));
+const PackedCell* pack(const CellWalls& walls, std::byte* memory) {
   auto* const cell = new (memory) PackedCell;
-  const std::size_t lanes = lanes_of(walls);
-  auto* const blocks = reinterpret_cast<float*>(memory + sizeof(PackedCell));
-  auto* const items = reinterpret_cast<std::uint32_t*>(blocks + 4 * lanes);
-  auto* stairs = reinterpret_cast<PackedStairs*>(items + lanes);
-  LaneWriter writer(blocks, items);
-  cell->center = center;
-  cell->lanes = static_cast<std::uint32_t>(lanes);
-  cell->two_sided = writer.write(walls.two_sided);
-  cell->one_sided = writer.write(walls.one_sided);
+  cell->size = static_cast<std::uint32_t>(segments_of(walls));
+  cell->two_sided_count = static_cast<std::uint32_t>(walls.two_sided.size());
+  cell->one_sided_count = static_cast<std::uint32_t>(walls.one_sided.size());
   cell->stairs_count = static_cast<std::uint32_t>(walls.stairs.size());
-  for (const CellStairs& s : walls.stairs) *stairs++ = writer.write(s);
+  auto* stairs = reinterpret_cast<PackedStairs*>(cell + 1);
+  auto* const floats = reinterpret_cast<float*>(stairs + walls.stairs.size());
+  SegmentWriter writer(floats,
+                       reinterpret_cast<std::uint32_t*>(floats + std::size_t{4} * cell->size));
+  writer.begin(walls.two_sided.size());
+  writer.write(walls.two_sided);
+  writer.begin(walls.one_sided.size());
+  writer.write(walls.one_sided);
+  for (const CellStairs& s : walls.stairs) *stairs++ = pack(s, writer);
   return cell;
 }
 

@@ -5,49 +5,54 @@
 #include <cstdint>
 #include <span>
 
-#include "mapcore/point.hpp"
 #include "navcore/engine/aligned.hpp"
 #include "navcore/engine/cell_walls.hpp"
 
 namespace mapwright::navcore::engine {
 
-/// Some lanes of a cell's list; they begin with a block.
-struct LaneRun {
+/// Some segments of a cell's list, one after the other.
+struct SegmentRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
 
-/// The lanes of a staircase: tops first, then low steps, then stops.
+/// The segments of a staircase: tops first, then low steps, then stops.
 struct PackedStairs {
-  LaneRun lanes;
+  SegmentRun segments;
   std::uint32_t first_low_step = 0;
   std::uint32_t first_stop = 0;
 
-  bool is_top(std::uint32_t lane) const { return lane < first_low_step; }
-  bool is_stop(std::uint32_t lane) const { return lane >= first_stop; }
+  bool is_top(std::uint32_t segment) const { return segment < first_low_step; }
+  bool is_stop(std::uint32_t segment) const { return segment >= first_stop; }
 };
 
-/// CellWalls in one piece of memory: this header, then the ends of the segments in single precision
-/// relative to the cell's centre, in blocks ax[16] ay[16] bx[16] by[16], then what is needed less
-/// often. Lanes that pad a block hold segments of no length.
-struct alignas(kLine) PackedCell {
-  Point center;
-  std::uint32_t lanes = 0;  ///< of all blocks
-  LaneRun two_sided, one_sided;
+/// CellWalls in one piece of memory, as few cache lines as can be: this header, the staircases, and
+/// the ends of the segments in single precision relative to the cell's centre, for each run
+/// ax[count] ay[count] bx[count] by[count]; then what is needed less often. A vector may be read
+/// that begins in a run and ends beyond it.
+struct PackedCell {
+  std::uint32_t size = 0;  ///< segments of all runs
+  std::uint32_t two_sided_count = 0;
+  std::uint32_t one_sided_count = 0;
   std::uint32_t stairs_count = 0;
 
-  const float* block(std::uint32_t lane) const {
-    return reinterpret_cast<const float*>(this + 1) + lane / kBlock * (4 * kBlock);
-  }
-  /// What the lane's segment is: an item of the scene.
-  std::uint32_t item(std::uint32_t lane) const { return items()[lane]; }
+  SegmentRun two_sided() const { return {0, two_sided_count}; }
+  SegmentRun one_sided() const { return {two_sided_count, one_sided_count}; }
   std::span<const PackedStairs> stairs() const {
-    return {reinterpret_cast<const PackedStairs*>(items() + lanes), stairs_count};
+    return {reinterpret_cast<const PackedStairs*>(this + 1), stairs_count};
+  }
+
+  /// ax of the first segment; ay, bx and by are run.count further each.
+  const float* ends(SegmentRun run) const { return floats() + std::size_t{4} * run.first; }
+
+  /// What the segment is: an item of the scene.
+  std::uint32_t item(std::uint32_t segment) const {
+    return reinterpret_cast<const std::uint32_t*>(floats() + std::size_t{4} * size)[segment];
   }
 
  private:
-  const std::uint32_t* items() const {
-    return reinterpret_cast<const std::uint32_t*>(block(lanes));
+  const float* floats() const {
+    return reinterpret_cast<const float*>(stairs().data() + stairs_count);
   }
 };
 
@@ -59,6 +64,6 @@ std::size_t packed_size(const PackedCell& cell);
 
 /// Writes the packed list to `memory`, which must hold packed_size(walls) bytes and be aligned to a
 /// line.
-const PackedCell* pack(const CellWalls& walls, Point center, std::byte* memory);
+const PackedCell* pack(const CellWalls& walls, std::byte* memory);
 
 }  // namespace mapwright::navcore::engine

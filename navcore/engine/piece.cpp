@@ -8,7 +8,7 @@ namespace mapwright::navcore::engine {
 Piece::Piece(std::span<const Pose> poses, const CellCache& cells) : poses_(poses), cells_(cells) {
   assert(poses.size() <= kMost);
   in_cell_[0] = {cells.nowhere(), 0, 0};
-  center_[0] = cells.nowhere()->center;
+  center_[0] = {};
 }
 
 // A piece's poses lie in few cells when a filter tracks, so most are found here, and only the first

@@ -10,19 +10,15 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "navcore/engine/spans-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace mapwright::navcore::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Rays that are done without asking whether a span has so many: most have not, and how
-// many is a coin that branch prediction loses. For that, rows are one block longer than the rays.
-constexpr std::int32_t kStep = static_cast<std::int32_t>(hn::MaxLanes(Floats()));
-constexpr std::int32_t kAtOnce = kStep * (kStep == 16 ? 2 : kStep == 8 ? 3 : 4);
 
 /// The arrays that raising reads and writes. Copies of pointers tell the compiler that no store
 /// changes them.
@@ -32,58 +28,71 @@ class Raise {
       : cosine_(beams.cosine.data()),
         sine_(beams.sine.data()),
         number_(beams.number.data()),
-        span_cosine_(spans.cosine.data()),
-        span_sine_(spans.sine.data()),
-        ray_(spans.ray.data()),
-        which_(spans.which.data()),
-        end_(spans.end.data()),
-        at_(spans.at.data()),
+        spans_(spans.blocks.data()->cosine),
         buffers_(buffers) {}
 
   // The first rays of a span.
-  HWY_INLINE void begin(std::size_t i) const {
-    const FloatVector cosine = hn::Set(Floats(), span_cosine_[i]);
-    const FloatVector sine = hn::Set(Floats(), span_sine_[i]);
-    const std::int32_t ray = ray_[i];
-    const std::int32_t at = at_[i];
-#if HWY_TARGET <= HWY_AVX3
-    const auto* const bits = reinterpret_cast<const std::uint8_t*>(which_ + i);
-    raise(cosine, sine, hn::LoadMaskBits(Floats(), bits), ray, at);
-    raise(cosine, sine, hn::LoadMaskBits(Floats(), bits + 2), ray + kStep, at + kStep);
-#else
-    const IntVector first = hn::Set(Ints(), which_[i]);
-    const IntVector end = hn::Set(Ints(), end_[i]);
-    for (std::int32_t skip = 0; skip < kAtOnce; skip += kStep) {
-      const IntVector number = hn::Load(Ints(), number_ + ray + skip);
-      const auto met = hn::AndNot(hn::Gt(first, number), hn::Gt(end, number));
-      raise(cosine, sine, hn::RebindMask(Floats(), met), ray + skip, at + skip);
-    }
-#endif
-  }
+  HWY_INLINE void begin(std::int32_t lane) const { raise_first<0>(lane); }
 
-  HWY_INLINE bool has_more(std::size_t i) const {
-    return end_[i] - ray_[i] > kAtOnce;
-  }
+  // As many more, of a span that has some of them.
+  HWY_INLINE void go_on(std::int32_t lane) const { raise_first<kFirstRays>(lane); }
 
-  // The other rays of a span.
-  HWY_INLINE void complete(std::size_t i) const {
-    const FloatVector cosine = hn::Set(Floats(), span_cosine_[i]);
-    const FloatVector sine = hn::Set(Floats(), span_sine_[i]);
-    const IntVector end = hn::Set(Ints(), end_[i]);
-    const std::int32_t rays = end_[i] - ray_[i];
-    for (std::int32_t skip = kAtOnce; skip < rays; skip += kStep) {
-      const auto met = hn::Gt(end, hn::Load(Ints(), number_ + ray_[i] + skip));
-      raise(cosine, sine, hn::RebindMask(Floats(), met), ray_[i] + skip, at_[i] + skip);
+  // The rest.
+  HWY_INLINE void complete(std::int32_t lane) const {
+    const Span span = span_at(lane);
+    const std::int32_t last = integer(lane, offsetof(SpanBlock, end));
+    const IntVector end = hn::Set(Ints(), last);
+    for (std::int32_t ray = span.ray + kAtOnce, at = span.at + kAtOnce; ray < last;
+         ray += kStep, at += kStep) {
+      const auto met = hn::Gt(end, hn::Load(Ints(), number_ + ray));
+      raise(span, hn::RebindMask(Floats(), met), ray, at);
     }
   }
 
  private:
-  // A vector of rays.
-  HWY_INLINE void raise(FloatVector cosine, FloatVector sine, FloatMask met, std::int32_t ray,
-                        std::int32_t at) const {
+  struct Span {
+    FloatVector cosine, sine;
+    std::int32_t ray, at;
+  };
+
+  HWY_INLINE const float* number_at(std::int32_t lane, std::size_t member) const {
+    return spans_ + lane + member / sizeof(float);
+  }
+  HWY_INLINE std::int32_t integer(std::int32_t lane, std::size_t member) const {
+    std::int32_t value;
+    std::memcpy(&value, number_at(lane, member), sizeof(value));
+    return value;
+  }
+  HWY_INLINE Span span_at(std::int32_t lane) const {
     const Floats d;
-    const FloatVector value =
-        hn::MulAdd(cosine, hn::Load(d, cosine_ + ray), hn::Mul(sine, hn::Load(d, sine_ + ray)));
+    return {hn::Set(d, *number_at(lane, offsetof(SpanBlock, cosine))),
+            hn::Set(d, *number_at(lane, offsetof(SpanBlock, sine))),
+            integer(lane, offsetof(SpanBlock, ray)), integer(lane, offsetof(SpanBlock, at))};
+  }
+
+  template <std::int32_t kSkip>
+  HWY_INLINE void raise_first(std::int32_t lane) const {
+    const Span span = span_at(lane);
+#if HWY_TARGET <= HWY_AVX3
+    const auto* const bits =
+        reinterpret_cast<const std::uint8_t*>(number_at(lane, offsetof(SpanBlock, which)));
+    raise(span, hn::LoadMaskBits(Floats(), bits + kSkip / 8), span.ray + kSkip, span.at + kSkip);
+#else
+    const IntVector first = hn::Set(Ints(), integer(lane, offsetof(SpanBlock, which)));
+    const IntVector end = hn::Set(Ints(), integer(lane, offsetof(SpanBlock, end)));
+    for (std::int32_t skip = kSkip; skip < kSkip + kFirstRays; skip += kStep) {
+      const IntVector number = hn::Load(Ints(), number_ + span.ray + skip);
+      const auto met = hn::AndNot(hn::Gt(first, number), hn::Gt(end, number));
+      raise(span, hn::RebindMask(Floats(), met), span.ray + skip, span.at + skip);
+    }
+#endif
+  }
+
+  // A vector of rays.
+  HWY_INLINE void raise(const Span& span, FloatMask met, std::int32_t ray, std::int32_t at) const {
+    const Floats d;
+    const FloatVector value = hn::MulAdd(span.cosine, hn::Load(d, cosine_ + ray),
+                                         hn::Mul(span.sine, hn::Load(d, sine_ + ray)));
     const FloatVector old = hn::Load(d, buffers_ + at);
     hn::Store(hn::Max(old, hn::IfThenElseZero(met, value)), d, buffers_ + at);
   }
@@ -91,29 +100,23 @@ class Raise {
   const float* HWY_RESTRICT cosine_;
   const float* HWY_RESTRICT sine_;
   const std::int32_t* HWY_RESTRICT number_;
-  const float* HWY_RESTRICT span_cosine_;
-  const float* HWY_RESTRICT span_sine_;
-  const std::int32_t* HWY_RESTRICT ray_;
-  const std::int32_t* HWY_RESTRICT which_;
-  const std::int32_t* HWY_RESTRICT end_;
-  const std::int32_t* HWY_RESTRICT at_;
+  const float* HWY_RESTRICT spans_;
   float* HWY_RESTRICT buffers_;
 };
 
-// Raises the buffers to what the spans say; long spans in a second turn.
-HWY_INLINE void raise_spans(const BeamTable& beams, SpanList& spans, float* buffers) {
+// Raises the buffers to what the spans say, in rounds: the first rays of all spans, then more of
+// those that have more. How many rays a span has is a coin that branch prediction loses.
+HWY_INLINE void raise_spans(const BeamTable& beams, const SpanList& spans, float* buffers) {
+  if (spans.lanes == 0) return;
   const Raise raise(beams, spans, buffers);
-  const std::int32_t* HWY_RESTRICT const seen = spans.seen.data();
-  std::int32_t* HWY_RESTRICT const longer = spans.longer.data();
-  const std::size_t size = spans.size;
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t lane = kListsAreDense ? i : static_cast<std::size_t>(seen[i]);
-    raise.begin(lane);
-    longer[left] = static_cast<std::int32_t>(lane);
-    left += raise.has_more(lane) ? 1 : 0;
-  }
-  for (std::size_t i = 0; i < left; ++i) raise.complete(static_cast<std::size_t>(longer[i]));
+  const auto for_lanes = [](const LaneList& list, auto&& f) MAPWRIGHT_INLINE_LAMBDA {
+    const std::int32_t* HWY_RESTRICT const lanes = list.lanes.data();
+    const std::size_t size = list.size;
+    for (std::size_t i = 0; i < size; ++i) f(lanes[i]);
+  };
+  for_lanes(spans.seen, [&](std::int32_t i) MAPWRIGHT_INLINE_LAMBDA { raise.begin(i); });
+  for_lanes(spans.longer, [&](std::int32_t i) MAPWRIGHT_INLINE_LAMBDA { raise.go_on(i); });
+  for_lanes(spans.longest, [&](std::int32_t i) MAPWRIGHT_INLINE_LAMBDA { raise.complete(i); });
 }
 
 HWY_INLINE void fill(float* array, std::size_t size, float value) {

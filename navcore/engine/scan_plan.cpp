@@ -15,13 +15,19 @@ constexpr std::size_t kPiece = Piece::kMost;
 // Pieces whose missing cells are compiled together: bounds what one call adds beyond the budget.
 constexpr std::size_t kGroup = 64;
 
+// Rounding of coordinates and of bearings, well beyond what there is of both.
+float certainly_behind(const LaserModel& laser, double cell_size_m) {
+  constexpr double kMargin_m = 1e-4, kMargin_rad = 2e-6;
+  return static_cast<float>(kMargin_m + kMargin_rad * (laser.max_range_m + 2.0 * cell_size_m));
+}
+
 }  // namespace
 
 ScanPlan::ScanPlan(const Scene& scene, const LaserModel& laser, double cell_size_m,
                    std::size_t cell_memory_bytes)
     : laser_(laser),
       beams_(laser),
-      setup_{&scene, &beams_, laser.height_m},
+      setup_{&scene, &beams_, laser.height_m, certainly_behind(laser, cell_size_m)},
       workspaces_(beams_.padded_rays()),
       cells_(scene, {laser.height_m, laser.max_range_m, cell_size_m}, cell_memory_bytes) {}
 

@@ -7,35 +7,11 @@
 #include <vector>
 
 #include "navcore/engine/aligned.hpp"
+#include "navcore/engine/candidates.hpp"
 #include "navcore/engine/packed_cell.hpp"
+#include "navcore/engine/span_list.hpp"
 
 namespace mapwright::navcore::engine {
-
-/// Spans on their way into buffers of inverse ranges: 1/r = cosine · cos φ + sine · sin φ for some
-/// rays. Whole vectors of them, of which some have no rays and `seen` says which have; or (AVX-512)
-/// those that have rays only.
-class SpanList {
- public:
-  void clear() { size = lanes = 0; }
-
-  /// Makes room for so many more lanes.
-  void make_room(std::size_t more) {
-    const std::size_t needed = std::max(size, lanes) + more + kBlock;
-    if (needed <= cosine.size()) return;
-    for (AlignedFloats* array : {&cosine, &sine}) array->resize(2 * needed);
-    for (AlignedInts* array : {&ray, &which, &end, &at, &seen, &longer}) array->resize(2 * needed);
-  }
-
-  std::size_t size = 0;   ///< spans
-  std::size_t lanes = 0;  ///< of whole vectors
-  AlignedFloats cosine, sine;
-  AlignedInts ray;     ///< where the vector of rays begins that the first ray is in
-  AlignedInts which;   ///< the first ray, or (AVX-512) bit i: ray + i belongs to the span
-  AlignedInts end;     ///< one beyond the last ray
-  AlignedInts at;      ///< place of `ray` in the buffers
-  AlignedInts seen;    ///< lanes that have rays
-  AlignedInts longer;  ///< scratch: those with more rays than are done at once
-};
 
 /// One of the starts.
 struct StartInCell {
@@ -46,15 +22,23 @@ struct StartInCell {
 /// A segment whose line runs through a laser, nearly: for double precision.
 struct TouchedItem {
   StartInCell scan;
-  std::uint32_t lane;  ///< of the cell's list
-  std::int32_t row;    ///< place of the buffer that it belongs to
+  std::uint32_t segment;  ///< of the cell's list
+  std::int32_t row;       ///< place of the buffer that it belongs to
 };
+
+/// More than rays have numbers.
+inline constexpr std::int32_t kNoRay = INT32_MAX;
 
 /// A staircase of which a scan sees steps that stop rays.
 struct StairsView {
   std::size_t scan;         ///< position among those cast together
   std::size_t row;          ///< of three rows: tops, low steps, stops
-  std::int32_t first, end;  ///< vectors of rays that meet stops
+  std::int32_t first, end;  ///< rays that meet stops, and those between
+
+  void add(std::int32_t more_first, std::int32_t more_end) {
+    first = std::min(first, more_first);
+    end = std::max(end, more_end);
+  }
 };
 
 /// Memory of one thread.
@@ -97,6 +81,9 @@ class Workspace {
   SpanList steps;           ///< and tops, for the rows of `stairs`
   std::vector<TouchedItem> touched_walls, touched_steps;  ///< rarely any
   std::vector<StairsView> stairs_views;
+  LaserTable lasers, stairs_lasers;
+  BlocksToSearch blocks;
+  Candidates candidates;
   std::vector<StartInCell> alone;  ///< scans that share their cell with too few others
 
  private:
