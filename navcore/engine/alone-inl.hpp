@@ -26,16 +26,29 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Workspace::inverse(i).
 using ScansTogether = std::span<const StartInCell>;
 
-// Lists the walls (or else the ramps) that scans may meet.
-template <bool kTwoSided>
-HWY_INLINE void find_walls_of(const ScanSetup& setup, ScansTogether scans, Workspace& work) {
-  work.blocks.clear();
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    const PackedCell& cell = *scans[i].cell;
-    work.blocks.make_room(cell.size);
-    append_blocks(cell, kTwoSided ? cell.two_sided() : cell.one_sided(), i, work.blocks);
+// Asks for a cell's list ahead of time: as many lines as most lists have.
+HWY_INLINE void ask_for(const PackedCell& cell) {
+  constexpr int kUsualLines = 5;
+  const auto* bytes = reinterpret_cast<const char*>(&cell);
+  for (int line = 0; line < kUsualLines; ++line) {
+    __builtin_prefetch(bytes + line * static_cast<int>(kLine));
   }
-  search(setup, work.blocks, work.lasers, work.candidates);
+}
+
+// Lists the walls (or else the ramps) that scans may meet. Asks for the lists of those that are
+// next, one by one: all at once they would queue up.
+template <bool kTwoSided>
+HWY_INLINE void find_walls_of(const ScanSetup& setup, ScansTogether scans, ScansTogether next,
+                              Workspace& work) {
+  search(
+      setup, scans.size(), work.lasers, work.candidates,
+      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA {
+        const PackedCell* const cell = scans[i].cell;
+        return ViewedRun{cell, kTwoSided ? cell->two_sided() : cell->one_sided()};
+      },
+      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA {
+        if (i < next.size()) ask_for(*next[i].cell);
+      });
   work.walls.make_room(2 * work.candidates.size);
   const IntVector rows = hn::Load(Ints(), work.rows.data());
   for_each_candidate(work.candidates, work.lasers, *setup.beams,
@@ -57,21 +70,22 @@ HWY_INLINE void find_walls_of(const ScanSetup& setup, ScansTogether scans, Works
 }
 
 HWY_INLINE void find_walls(const ScanSetup& setup, const ScanStarts& starts, ScansTogether scans,
-                           Workspace& work) {
+                           ScansTogether next, Workspace& work) {
   bool ramps = false;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     set_laser(starts, scans[i].start, i, work.lasers);
     ramps |= scans[i].cell->one_sided_count != 0;
   }
-  find_walls_of<true>(setup, scans, work);
-  if (HWY_UNLIKELY(ramps)) find_walls_of<false>(setup, scans, work);
+  find_walls_of<true>(setup, scans, next, work);
+  if (HWY_UNLIKELY(ramps)) find_walls_of<false>(setup, scans, {}, work);
 }
 
 // -- staircases --------------------------------------------------------------------------------
 
 // Staircases that are searched together, each for one scan. They are views `first`, first + 1, …
 struct StairsTogether {
-  void add(const PackedStairs& stairs) {
+  void add(const PackedCell& cell, const PackedStairs& stairs) {
+    runs[count] = {&cell, stairs.segments};
     low_step[count] = static_cast<std::int32_t>(stairs.first_low_step);
     stop[count] = static_cast<std::int32_t>(stairs.first_stop);
     ++count;
@@ -79,15 +93,18 @@ struct StairsTogether {
 
   std::size_t first;
   std::size_t count = 0;
+  ViewedRun runs[kBlock] = {};
   alignas(kLine) std::int32_t low_step[kBlock] = {};  ///< number of the first segment
   alignas(kLine) std::int32_t stop[kBlock] = {};
 };
 
-// Lists the steps of staircases whose blocks are listed.
+// Lists the steps of staircases.
 HWY_INLINE void find_steps_of(const ScanSetup& setup, ScansTogether scans,
                               const StairsTogether& together, Workspace& work) {
   const Ints di;
-  search(setup, work.blocks, work.stairs_lasers, work.candidates);
+  search(
+      setup, together.count, work.stairs_lasers, work.candidates,
+      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA { return together.runs[i]; }, [](std::size_t) {});
   work.steps.make_room(2 * work.candidates.size);
   const IntVector rows = hn::Add(hn::Load(di, work.stairs_rows.data()),
                                  hn::Set(di, work.row(kStairsRows * together.first)));
@@ -144,21 +161,17 @@ HWY_INLINE void find_steps(const ScanSetup& setup, const ScanStarts& starts, Sca
     count += scans[i].cell->stairs_count != 0 ? 1 : 0;
   }
   StairsTogether together{0};
-  work.blocks.clear();
   const auto search_together = [&]() HWY_ATTR {
     find_steps_of(setup, scans, together, work);
     together = {work.stairs_views.size()};
-    work.blocks.clear();
   };
   for (std::size_t i = 0; i < count; ++i) {
     const StartInCell& scan = scans[with_stairs[i]];
     for (const PackedStairs& stairs : scan.cell->stairs()) {
       set_laser(starts, scan.start, together.count, work.stairs_lasers);
-      work.blocks.make_room(scan.cell->size);
-      append_blocks(*scan.cell, stairs.segments, together.count, work.blocks);
       work.stairs_views.push_back(
           {with_stairs[i], kStairsRows * work.stairs_views.size(), kNoRay, 0});
-      together.add(stairs);
+      together.add(*scan.cell, stairs);
       if (together.count == kTogether) search_together();
     }
   }

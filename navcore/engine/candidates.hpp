@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "navcore/engine/aligned.hpp"
 
@@ -15,29 +13,8 @@ struct LaserTable {
   alignas(kLine) float y[kBlock] = {};
   alignas(kLine) float cosine[kBlock] = {};
   alignas(kLine) float sine[kBlock] = {};
-};
-
-/// A vector of segments of a cell's list, for one view.
-struct BlockToSearch {
-  const float* ends;  ///< ax; ay, bx and by are `stride` further each
-  std::uint32_t stride;
-  std::uint32_t first;  ///< segment of the cell's list
-  std::uint32_t count;  ///< of segments that the vector holds
-  std::uint32_t view;
-};
-
-/// Two blocks of a list are written at once, whether it has a second one or not.
-inline constexpr std::size_t kUsualBlocks = 2;
-
-struct BlocksToSearch {
-  void clear() { size = 0; }
-  void make_room(std::size_t more) {
-    const std::size_t needed = size + more + kUsualBlocks;
-    if (needed > blocks.size()) blocks.resize(2 * needed);
-  }
-
-  std::vector<BlockToSearch> blocks;
-  std::size_t size = 0;
+  alignas(
+      kLine) float least[kBlock] = {};  ///< of x · cosine + y · sine that is not behind the laser
 };
 
 /// Those segments that lie in front of their lasers, of all views one after the other.

@@ -35,14 +35,6 @@ HWY_INLINE void cast_listed(const ScanSetup& setup, const ScanStarts& starts, Sc
   finish(scans);
 }
 
-// Asks for a cell's list ahead of time: as many lines as most lists have.
-HWY_INLINE void prefetch(const PackedCell& cell) {
-  const auto* bytes = reinterpret_cast<const char*>(&cell);
-  constexpr int kUsualLines = 5;
-  for (int line = 0; line < kUsualLines; ++line)
-    __builtin_prefetch(bytes + line * static_cast<int>(kLine));
-}
-
 // Calls `finish(scans)` for the scans of `work.alone`. They go through each stage together: the
 // processor works on several of them at once as long as no branch hangs on what a single one sees.
 template <class Finish>
@@ -52,10 +44,9 @@ HWY_INLINE void for_each_alone(const ScanSetup& setup, const ScanStarts& starts,
   for (std::size_t begin = 0; begin < alone.size(); begin += kTogether) {
     const std::size_t end = std::min(alone.size(), begin + kTogether);
     const std::size_t ahead = std::min(alone.size(), end + kTogether);
-    for (std::size_t i = end; i < ahead; ++i) prefetch(*alone[i].cell);
     const ScansTogether scans = alone.subspan(begin, end - begin);
     work.clear();
-    find_walls(setup, starts, scans, work);
+    find_walls(setup, starts, scans, alone.subspan(end, ahead - end), work);
     find_steps(setup, starts, scans, work);
     cast_listed(setup, starts, scans, work, finish);
   }

@@ -37,15 +37,13 @@ class Raise {
   // As many more, of a span that has some of them.
   HWY_INLINE void go_on(std::int32_t lane) const { raise_first<kFirstRays>(lane); }
 
-  // The rest.
+  // The rest, two vectors at a time: rows are one block longer than the rays.
   HWY_INLINE void complete(std::int32_t lane) const {
     const Span span = span_at(lane);
-    const std::int32_t last = integer(lane, offsetof(SpanBlock, end));
-    const IntVector end = hn::Set(Ints(), last);
-    for (std::int32_t ray = span.ray + kAtOnce, at = span.at + kAtOnce; ray < last;
-         ray += kStep, at += kStep) {
-      const auto met = hn::Gt(end, hn::Load(Ints(), number_ + ray));
-      raise(span, hn::RebindMask(Floats(), met), ray, at);
+    const std::int32_t end = integer(lane, offsetof(SpanBlock, end));
+    for (std::int32_t skip = kAtOnce; span.ray + skip < end; skip += 2 * kStep) {
+      raise_before(end, span, skip);
+      raise_before(end, span, skip + kStep);
     }
   }
 
@@ -86,6 +84,12 @@ class Raise {
       raise(span, hn::RebindMask(Floats(), met), span.ray + skip, span.at + skip);
     }
 #endif
+  }
+
+  // A vector of rays, of which those before `end` belong to the span.
+  HWY_INLINE void raise_before(std::int32_t end, const Span& span, std::int32_t skip) const {
+    const auto met = hn::Gt(hn::Set(Ints(), end), hn::Load(Ints(), number_ + span.ray + skip));
+    raise(span, hn::RebindMask(Floats(), met), span.ray + skip, span.at + skip);
   }
 
   // A vector of rays.

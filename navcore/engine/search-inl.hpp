@@ -33,22 +33,13 @@ HWY_INLINE void set_laser(const ScanStarts& starts, std::uint32_t start, std::si
   lasers.sine[view] = starts.sine[start];
 }
 
-// Lists the blocks of a run. Whether there is a second one is a coin that branch prediction loses,
-// so it is written in any case. Requires room.
-HWY_INLINE void append_blocks(const PackedCell& cell, SegmentRun run, std::size_t view,
-                              BlocksToSearch& list) {
-  constexpr auto kStep = static_cast<std::uint32_t>(kTogether);
-  const std::uint32_t blocks = (run.count + kStep - 1) / kStep;
-  const float* const ends = cell.ends(run);
-  BlockToSearch* const out = list.blocks.data() + list.size;
-  const auto write = [&](std::uint32_t i) MAPWRIGHT_INLINE_LAMBDA {
-    const std::uint32_t skip = i * kStep;
-    out[i] = {ends + skip, run.count, run.first + skip, std::min(run.count - skip, kStep),
-              static_cast<std::uint32_t>(view)};
-  };
-  for (std::uint32_t i = 0; i < kUsualBlocks; ++i) write(i);
-  for (std::uint32_t i = kUsualBlocks; HWY_UNLIKELY(i < blocks); ++i) write(i);
-  list.size += blocks;
+// What lies further behind its laser than `behind_m` comes near no ray to the front or to the
+// sides.
+HWY_INLINE void set_least(float behind_m, LaserTable& lasers) {
+  const Floats d;
+  const FloatVector across = hn::Mul(hn::Load(d, lasers.y), hn::Load(d, lasers.sine));
+  const FloatVector at = hn::MulAdd(hn::Load(d, lasers.x), hn::Load(d, lasers.cosine), across);
+  hn::Store(hn::Sub(at, hn::Set(d, behind_m)), d, lasers.least);
 }
 
 // The ends of segments, and zeros: what stands behind them in memory are whole numbers, and as
@@ -67,44 +58,69 @@ struct Ends {
   FloatVector ax, ay, bx, by;
 };
 
-// Which segments a field of view up to 180° may meet: not those that lie behind the laser by more
-// than `behind_m`, for then no ray to the front or to the sides comes near them.
-HWY_INLINE FloatMask in_front(const Ends& ends, float x, float y, float cosine, float sine,
-                              float behind_m) {
+// Which segments a field of view up to 180° may meet.
+HWY_INLINE FloatMask in_front(const Ends& ends, const LaserTable& lasers, std::size_t view) {
   const Floats d;
-  const FloatVector c = hn::Set(d, cosine), s = hn::Set(d, sine);
+  const FloatVector c = hn::Set(d, lasers.cosine[view]), s = hn::Set(d, lasers.sine[view]);
   const FloatVector a = hn::MulAdd(ends.ax, c, hn::Mul(ends.ay, s));
   const FloatVector b = hn::MulAdd(ends.bx, c, hn::Mul(ends.by, s));
-  return hn::Gt(hn::Max(a, b), hn::Set(d, x * cosine + y * sine - behind_m));
+  return hn::Gt(hn::Max(a, b), hn::Set(d, lasers.least[view]));
 }
 
-// Makes candidates of those segments of the blocks that their scans may meet.
-HWY_INLINE void search(const ScanSetup& setup, const BlocksToSearch& blocks,
-                       const LaserTable& lasers, Candidates& candidates) {
+// What a view may meet: a run of a cell's list.
+struct ViewedRun {
+  const PackedCell* cell;
+  SegmentRun run;
+};
+
+// Makes candidates of those of a run's segments in the vector from `skip` on that the view may
+// meet. Requires room.
+HWY_INLINE void search_vector(const ScanSetup& setup, const ViewedRun& viewed, std::uint32_t skip,
+                              std::size_t view, const LaserTable& lasers, Candidates& candidates) {
   const Floats d;
   const Ints di;
+  const SegmentRun run = viewed.run;
+  const FloatMask real = hn::FirstN(d, std::min<std::size_t>(run.count - skip, kTogether));
+  const Ends ends(viewed.cell->ends(run) + skip, run.count, real);
+  FloatMask chosen = real;
+  if (setup.beams->looks_ahead) chosen = hn::And(real, in_front(ends, lasers, view));
+  const ChosenLanes lanes(chosen);
+  const std::size_t at = candidates.size;
+  hn::StoreU(lanes.pack(ends.ax), d, candidates.ax.data() + at);
+  hn::StoreU(lanes.pack(ends.ay), d, candidates.ay.data() + at);
+  hn::StoreU(lanes.pack(ends.bx), d, candidates.bx.data() + at);
+  hn::StoreU(lanes.pack(ends.by), d, candidates.by.data() + at);
+  const auto source = static_cast<std::int32_t>((run.first + skip) * kBlock + view);
+  hn::StoreU(hn::Add(hn::ShiftLeft<4>(lanes.numbers()), hn::Set(di, source)), di,
+             candidates.source.data() + at);
+  candidates.size += lanes.count();
+}
+
+// Makes candidates of those segments that up to kTogether views may meet; run_of(view) is what to
+// search, ask_ahead(view) is called in between. Whether a run goes on after a vector is a coin that
+// branch prediction loses: those that do come last.
+template <class RunOf, class AskAhead>
+HWY_INLINE void search(const ScanSetup& setup, std::size_t views, LaserTable& lasers,
+                       Candidates& candidates, RunOf&& run_of, AskAhead&& ask_ahead) {
+  set_least(setup.behind_m, lasers);
+  std::size_t room = 0;
+  for (std::size_t view = 0; view < views; ++view) room += run_of(view).run.count + kTogether;
   candidates.size = 0;
-  candidates.make_room(blocks.size * hn::Lanes(d));
-  for (std::size_t i = 0; i < blocks.size; ++i) {
-    const BlockToSearch& b = blocks.blocks[i];
-    const FloatMask real = hn::FirstN(d, b.count);
-    const Ends ends(b.ends, b.stride, real);
-    FloatMask chosen = real;
-    if (setup.beams->looks_ahead) {
-      chosen =
-          hn::And(chosen, in_front(ends, lasers.x[b.view], lasers.y[b.view], lasers.cosine[b.view],
-                                   lasers.sine[b.view], setup.behind_m));
+  candidates.make_room(room);
+  std::size_t longer[kTogether];
+  std::size_t count = 0;
+  for (std::size_t view = 0; view < views; ++view) {
+    const ViewedRun viewed = run_of(view);
+    search_vector(setup, viewed, 0, view, lasers, candidates);
+    ask_ahead(view);
+    longer[count] = view;
+    count += viewed.run.count > kTogether ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const ViewedRun viewed = run_of(longer[i]);
+    for (std::uint32_t skip = kTogether; skip < viewed.run.count; skip += kTogether) {
+      search_vector(setup, viewed, skip, longer[i], lasers, candidates);
     }
-    const ChosenLanes lanes(chosen);
-    const std::size_t at = candidates.size;
-    hn::StoreU(lanes.pack(ends.ax), d, candidates.ax.data() + at);
-    hn::StoreU(lanes.pack(ends.ay), d, candidates.ay.data() + at);
-    hn::StoreU(lanes.pack(ends.bx), d, candidates.bx.data() + at);
-    hn::StoreU(lanes.pack(ends.by), d, candidates.by.data() + at);
-    const auto source = static_cast<std::int32_t>(b.first * kBlock + b.view);
-    hn::StoreU(hn::Add(hn::ShiftLeft<4>(lanes.numbers()), hn::Set(di, source)), di,
-               candidates.source.data() + at);
-    candidates.size += lanes.count();
   }
 }
 

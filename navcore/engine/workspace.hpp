@@ -82,7 +82,6 @@ class Workspace {
   std::vector<TouchedItem> touched_walls, touched_steps;  ///< rarely any
   std::vector<StairsView> stairs_views;
   LaserTable lasers, stairs_lasers;
-  BlocksToSearch blocks;
   Candidates candidates;
   std::vector<StartInCell> alone;  ///< scans that share their cell with too few others
 
