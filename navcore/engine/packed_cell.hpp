@@ -21,9 +21,6 @@ struct PackedStairs {
   SegmentRun segments;
   std::uint32_t first_low_step = 0;
   std::uint32_t first_stop = 0;
-
-  bool is_top(std::uint32_t segment) const { return segment < first_low_step; }
-  bool is_stop(std::uint32_t segment) const { return segment >= first_stop; }
 };
 
 /// CellWalls in one piece of memory, as few cache lines as can be: this header, the staircases, and

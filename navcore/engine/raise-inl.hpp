@@ -28,7 +28,7 @@ class Raise {
       : cosine_(beams.cosine.data()),
         sine_(beams.sine.data()),
         number_(beams.number.data()),
-        spans_(spans.blocks.data()->cosine),
+        spans_(reinterpret_cast<const float*>(spans.blocks.data())),
         buffers_(buffers) {}
 
   // The first rays of a span.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "bench/support/campus_generator.hpp"
+#include "navcore/engine/aligned.hpp"
+#include "navcore/engine/cell_compiler.hpp"
 #include "navcore/rays/brute_force_ray_caster.hpp"
 #include "navcore/rays/culled_ray_caster.hpp"
 #include "tests/navcore/shapes.hpp"
@@ -59,6 +61,38 @@ TEST(ScanEngineExactness, OnClutteredSquares) {
   for (const std::uint64_t seed : {1U, 2U}) {
     expect_exact(test::cluttered_square(seed), {}, 150, seed);
   }
+}
+
+// More staircases in sight than a vector has lanes, which are searched in several turns.
+TEST(ScanEngineExactness, AmongManyStairs) {
+  Random random(8);
+  Map map{{0.0, 20.0, 20.0, 0.0}, {}};
+  for (std::int64_t id = 1; id <= 60; ++id) {
+    const test::Placement at{{random.uniform(1, 19), random.uniform(1, 19)},
+                             random.uniform(0, 6.3)};
+    map.obstacles.push_back(test::stairs(id, at, 6, 0.15, random.uniform(0.3, 1.0)));
+  }
+  const engine::Scene scene(map);
+  const auto walls = engine::compile_cell(scene, {0.5, 15.0, 1.0}, {10.5, 10.5});
+  EXPECT_GT(walls.stairs.size(), 2 * engine::kBlock);
+  expect_exact(map, {}, 100, 8);
+}
+
+// Lists longer than a vector, of walls and of ramps.
+TEST(ScanEngineExactness, AmongManyRamps) {
+  Random random(9);
+  Map map{{0.0, 20.0, 20.0, 0.0}, {}};
+  for (std::int64_t id = 1; id <= 80; ++id) {
+    const test::Placement at{{random.uniform(1, 19), random.uniform(1, 19)},
+                             random.uniform(0, 6.3)};
+    map.obstacles.push_back(id % 2 == 0 ? test::ramp(id, at, random.uniform(0.2, 1.0), 6.0, 0.2)
+                                        : test::wall(id, at({0, 0}), at({0.3, 0.1}), 2.0));
+  }
+  const engine::Scene scene(map);
+  const auto walls = engine::compile_cell(scene, {0.5, 15.0, 1.0}, {10.5, 10.5});
+  EXPECT_GT(walls.two_sided.size(), engine::kBlock);
+  EXPECT_GT(walls.one_sided.size(), engine::kBlock);
+  expect_exact(map, {}, 100, 9);
 }
 
 // Ten kilometres from the frame's origin, where single precision alone is off by half a millimetre.
