@@ -66,10 +66,6 @@ class CellTable {
     while (slots_[i].cell != nullptr && !(slots_[i].key == key)) i = (i + 1) & (slots_.size() - 1);
     return slots_[i].cell;
   }
-  /// Fetches what find(key) will look at.
-  void ask_for(CellKey key) const {
-    if (!slots_.empty()) __builtin_prefetch(slots_.data() + home(key));
-  }
   void insert(CellKey key, const PackedCell* cell);  ///< requires that it is not in yet
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
@@ -109,9 +105,6 @@ class CellCache {
 
   /// The list of the cell, if it is among the young.
   const PackedCell* find(CellKey key) const { return young_.table.find(key); }
-
-  /// Fetches what find(key) will look at.
-  void ask_for(CellKey key) const { young_.table.ask_for(key); }
 
   /// Makes `find` find all these cells, until the next call; repeated keys are welcome. Compiles by
   /// up to `threads` threads.

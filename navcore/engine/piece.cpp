@@ -30,20 +30,11 @@ inline bool Piece::add(std::size_t pose, CellKey key) {
 }
 
 bool Piece::find_cells() {
-  // Poses all over a map hit the cache's table all over: what is asked for early comes in time.
-  constexpr std::size_t kAhead = 16;
   const double size = cells_.reach().cell_size_m;
-  std::array<CellKey, kMost + kAhead> keys;
-  const auto ask_for = [&](std::size_t i) {
-    if (i >= poses_.size() || !has_cell(poses_[i].position(), size)) return;
-    keys[i] = cells_.key_of(poses_[i].position());
-    cells_.ask_for(keys[i]);
-  };
-  for (std::size_t i = 0; i < kAhead; ++i) ask_for(i);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
-    ask_for(i + kAhead);
-    if (has_cell(poses_[i].position(), size)) {
-      if (!add(i, keys[i])) return false;
+    const Point p = poses_[i].position();
+    if (has_cell(p, size)) {
+      if (!add(i, cells_.key_of(p))) return false;
     } else {
       cell_of_[i] = 0;
       ++in_cell_[0].count;
