@@ -27,8 +27,11 @@ Pose believed_start(const Pose& reference, const navcore::RecordedSettings& sett
 
 class Runner {
  public:
-  Runner(const Map& map, RayEngineKind engine, const RecordedQuestion& question)
-      : space_(map), engine_(map, engine), question_(question), steps_(recorded_steps(question)) {}
+  Runner(const Map& map, RayEngineKind engine, const RecordedQuestion& question, Console& console)
+      : space_(map),
+        engine_(map, engine),
+        question_(question),
+        steps_(recorded_steps(question, console)) {}
 
   std::vector<JudgedRun> run(unsigned threads, Console& console) const {
     const auto asked = stretches(question_, steps_.size());
@@ -110,7 +113,7 @@ ExitStatus status_of(bool success) {
 
 ExitStatus localize_recorded(const Map& map, RayEngineKind engine, const RecordedQuestion& question,
                              const RecordedOutput& output, Console& console) {
-  const Runner runner(map, engine, question);
+  const Runner runner(map, engine, question, console);
   if (question.kidnap) {
     const std::vector<KidnappedRun> runs = runner.kidnap(output.threads);
     output.json ? write_kidnapped_json(console.out(), question, runs)

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "cli/support/arguments.hpp"
+#include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/findings_text.hpp"
 #include "cli/support/log_files.hpp"
@@ -23,12 +25,13 @@ bool given(const po::variables_map& values, const char* name) {
 
 std::optional<std::size_t> optional_scan(const po::variables_map& values, const char* name) {
   if (!given(values, name)) return std::nullopt;
-  return parse_integer(name, values[name].as<std::string>(), 0, UINT32_MAX);
+  return integer_option(values, name, 0, UINT32_MAX);
 }
 
 void refuse_simulation_options(const po::variables_map& values) {
-  for (const char* name : {"pose", "trials", "iterations", "step", "robot-radius", "laser-noise",
-                           "occlusion", "fov", "compass-error", "no-compass", "temper"}) {
+  for (const char* name :
+       {"pose", "trials", "iterations", "step", "robot-radius", "laser-noise", "occlusion", "fov",
+        "compass-error", "no-compass", "temper", "known-start"}) {
     if (given(values, name)) {
       fail_usage(std::string("--") + name + " belongs to a simulated robot, not to --log");
     }
@@ -50,8 +53,7 @@ void read_filter(const po::variables_map& values, navcore::RecordedSettings& set
     if (given(values, name)) target = number_option(values, name, 0.0);
   };
   const auto count = [&](const char* name, std::size_t& target) {
-    if (!given(values, name)) return;
-    target = parse_integer(name, values[name].as<std::string>(), 1, kMostParticles);
+    if (given(values, name)) target = integer_option(values, name, 1, kMostParticles);
   };
   count("particles", filter.particles);
   count("first-particles", filter.first_particles);
@@ -73,7 +75,7 @@ navcore::RecordedSettings settings_for(const std::string& likelihood) {
 
 void read_beams(const po::variables_map& values, navcore::RecordedSettings& settings) {
   if (given(values, "rays")) {
-    settings.search.beams = parse_integer("rays", values["rays"].as<std::string>(), 2, 100'000);
+    settings.search.beams = integer_option(values, "rays", 2, 100'000);
     for (auto& stage : last_stages(settings)) stage.beams = settings.search.beams;
   }
   if (given(values, "max-range")) settings.max_range_m = positive_option(values, "max-range");
@@ -95,6 +97,22 @@ void read_start(const po::variables_map& values, RecordedQuestion& question) {
   if (error[0] < 0.0 || error[1] < 0.0) fail_usage("--initial-error: must not be negative");
   settings.initial_sigma_m = error[0];
   settings.initial_sigma_deg = error[1];
+}
+
+// Nothing but the times tells that a table of as many rows is of another log.
+void warn_of_another_log(const RecordedQuestion& question,
+                         const std::vector<navcore::RecordedScan>& scans,
+                         const std::vector<OdometryRow>& rows, Console& console) {
+  constexpr double kRounding_s = 0.1;
+  double most_s = 0.0;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    most_s = std::max(most_s, std::abs(rows[i].time_s - scans[i].time_s));
+  }
+  if (most_s <= kRounding_s) return;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f", most_s);
+  console.warning(std::string(display_path(question.odometry_path)) + ": its times are up to " +
+                  text + " s off those of the log's scans; is it of another log?");
 }
 
 [[noreturn]] void fail_window(const std::string& path, std::size_t line, const std::string& what) {
@@ -163,7 +181,7 @@ RecordedQuestion recorded_question(const po::variables_map& values) {
   question.settings.keep_particles = values.count("with-particles") > 0;
   question.first_scan = optional_scan(values, "first-scan");
   question.last_scan = optional_scan(values, "last-scan");
-  question.seed = parse_integer("seed", values["seed"].as<std::string>());
+  question.seed = seed_option(values);
   if (question.is_batch() && (question.first_scan || question.last_scan)) {
     fail_usage("--windows and --first-scan or --last-scan exclude each other");
   }
@@ -172,21 +190,27 @@ RecordedQuestion recorded_question(const po::variables_map& values) {
   if (question.is_batch() && question.settings.keep_particles) {
     fail_usage("--with-particles: not with --windows");
   }
+  if (question.likelihood == "report" && given(values, "gamma")) {
+    fail_usage("--gamma belongs to --likelihood robust");
+  }
   read_filter(values, question.settings);
   read_beams(values, question.settings);
   read_start(values, question);
   return question;
 }
 
-std::vector<navcore::RecordedStep> recorded_steps(const RecordedQuestion& question) {
+std::vector<navcore::RecordedStep> recorded_steps(const RecordedQuestion& question,
+                                                  Console& console) {
   auto scans = read_log_file(question.log_path);
   std::vector<OdometryRow> rows;
   if (!question.odometry_path.empty()) {
     rows = read_odometry_file(question.odometry_path, scans.size());
+    warn_of_another_log(question, scans, rows, console);
   }
   std::vector<navcore::RecordedStep> steps;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    const OdometryRow row = rows.empty() ? OdometryRow{scans[i].odometry, {}} : rows[i];
+    const OdometryRow row =
+        rows.empty() ? OdometryRow{scans[i].time_s, scans[i].odometry, {}} : rows[i];
     steps.push_back({std::move(scans[i]), row.odometry, row.reference});
   }
   if (!steps.front().reference && (question.from_reference || question.is_batch())) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/support/console.hpp"
 #include "navcore/localization/recorded_run.hpp"
 
 namespace mapwright::cli {
@@ -36,8 +37,10 @@ bool asks_for_log(const boost::program_options::variables_map& values);
 /// Throws Error (kUsage) for what makes no sense, also for options that only a simulated robot has.
 RecordedQuestion recorded_question(const boost::program_options::variables_map& values);
 
-/// Log and odometry together; without an odometry file the log's own. Throws Error (kInput).
-std::vector<navcore::RecordedStep> recorded_steps(const RecordedQuestion& question);
+/// Log and odometry together; without an odometry file the log's own. Warns of one whose times are
+/// not the log's. Throws Error (kInput).
+std::vector<navcore::RecordedStep> recorded_steps(const RecordedQuestion& question,
+                                                  Console& console);
 
 /// The stretches to run over, all within the log. Throws Error.
 std::vector<ScanStretch> stretches(const RecordedQuestion& question, std::size_t scans);

@@ -36,8 +36,9 @@ std::string unzipped(const std::string& bytes, const std::string& path) {
         throw Error(ExitStatus::kInput, path + ": unzips to more than 4 GB");
       }
     }
-  } catch (const std::ios_base::failure& error) {
-    throw Error(ExitStatus::kInput, path + ": is not gzip data to its end: " + error.what());
+  } catch (const std::ios_base::failure&) {
+    throw Error(ExitStatus::kInput,
+                path + ": is cut short or damaged: it is not gzip data to its end");
   }
   return text;
 }
@@ -71,7 +72,7 @@ std::vector<OdometryRow> read_odometry_file(const std::string& path, std::size_t
                                           ": the column scan must count 0, 1, 2, ...; expected " +
                                           std::to_string(i));
     }
-    result.push_back({pose_at(row, 2), std::nullopt});
+    result.push_back({row[1], pose_at(row, 2), std::nullopt});
     if (table.has_optional) result.back().reference = pose_at(row, 5);
   }
   return result;

@@ -15,6 +15,7 @@ std::vector<navcore::RecordedScan> read_log_file(const std::string& path);
 
 /// A row of an odometry table.
 struct OdometryRow {
+  double time_s = 0.0;
   Pose odometry;                  ///< dead reckoning: any frame, drifts
   std::optional<Pose> reference;  ///< map frame, where the table has one
 };

@@ -14,9 +14,12 @@ bool has_optional(const TextTable& table, std::size_t columns,
   if (!table.has_heading()) {
     return !table.rows().empty() && table.rows()[0].fields.size() >= columns + optional.size();
   }
-  return std::all_of(optional.begin(), optional.end(), [&](const std::string& column) {
-    return table.column(column).has_value();
-  });
+  const auto stands = [&](const std::string& column) { return table.column(column).has_value(); };
+  if (std::none_of(optional.begin(), optional.end(), stands)) return false;
+  const auto missing = std::find_if_not(optional.begin(), optional.end(), stands);
+  if (missing == optional.end()) return true;
+  table.fail(table.heading_line(), 0,
+             "no column '" + *missing + "', which belongs to the others of its kind");
 }
 
 // Where the columns stand: by the heading, or in the order asked for.

@@ -215,8 +215,19 @@ void Localize::configure_filter(const po::variables_map& values) {
   if (given("temper")) filter.temper = positive_option(values, "temper", 1.0);
 }
 
+// A belief may be wrong, but not off the map: nothing there could correct it.
+void require_within(const Border& border, const std::optional<Pose>& initial_pose) {
+  if (initial_pose && !border.contains(initial_pose->position())) {
+    fail_usage("--initial-pose " + place_text(initial_pose->position()) +
+               " lies outside of the map's border");
+  }
+}
+
 ExitStatus Localize::run(Console& console) {
   const MapDocument document = read_sound_map_file(map_path_);
+  const auto& start =
+      recorded_ ? recorded_->settings.initial_pose : question_.settings.initial_pose;
+  require_within(document.map.border, start);
   if (recorded_) {
     return localize_recorded(document.map, engine_, *recorded_,
                              {json_, threads_, required_percent_}, console);

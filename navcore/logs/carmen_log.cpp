@@ -66,6 +66,13 @@ class Fields {
     for (std::size_t i = 0; i < fields; ++i) word(what);
   }
 
+  /// How many are left.
+  std::size_t left() const {
+    std::size_t count = 0;
+    for (Fields rest = *this; !text::trimmed(rest.rest_).empty(); ++count) rest.word("a field");
+    return count;
+  }
+
  private:
   std::string_view rest_;
 };
@@ -83,6 +90,17 @@ void require_beams(std::size_t count) {
   if (count < 2) throw LineMistake{"a scan of fewer than 2 beams"};
 }
 
+// A scan with a wrong number of ranges would take some of them for the pose, or the other way
+// round. What follows the time, the host and the logger's time, may be missing as a whole.
+void require_flaser_fields(const Fields& after_count, std::size_t beams) {
+  constexpr std::size_t kUpToTime = 7, kAll = 9;
+  const std::size_t left = after_count.left();
+  if (left == beams + kAll || left <= beams + kUpToTime) return;  // too short a line says where
+  throw LineMistake{std::to_string(beams) + " ranges and what follows them are " +
+                    std::to_string(beams + kAll) + " fields, but here are " + std::to_string(left) +
+                    "; is the number of ranges wrong?"};
+}
+
 // CARMEN's laser module: 180 and 360 beams leave the last one of half a turn out.
 RecordedFan flaser_fan(std::size_t beams) {
   const std::size_t steps = beams % 2 == 0 ? beams : beams - 1;
@@ -94,6 +112,7 @@ RecordedScan read_flaser(Fields& fields) {
   RecordedScan scan;
   const std::size_t beams = fields.count("the number of ranges");
   require_beams(beams);
+  require_flaser_fields(fields, beams);
   scan.fan = flaser_fan(beams);
   scan.ranges = read_ranges(fields, beams, std::nullopt);
   fields.pose("the laser's pose");
@@ -149,6 +168,7 @@ tl::unexpected<Failure> failure_at(std::string_view name, std::size_t line,
 }  // namespace
 
 Result<std::vector<RecordedScan>> read_carmen_log(std::string_view text, std::string_view name) {
+  if (text.starts_with(text::kByteOrderMark)) text.remove_prefix(text::kByteOrderMark.size());
   std::vector<RecordedScan> scans;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const auto end = text.find('\n');

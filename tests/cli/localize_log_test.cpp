@@ -158,6 +158,12 @@ TEST_F(LocalizeLog, IsDrawnWithBothWays) {
 TEST_F(LocalizeLog, RefusesWhatMakesNoSense) {
   EXPECT_EQ(localize({"--pose", "1,1,0"}).status, 2);
   EXPECT_EQ(localize({"--fov", "90"}).status, 2);
+  EXPECT_EQ(localize({"--known-start"}).status, 2);
+  EXPECT_EQ(localize({"--likelihood", "report", "--gamma", "1"}).status, 2);
+  const auto off_the_map = localize({"--initial-pose", "1000,1,0"});
+  EXPECT_EQ(off_the_map.status, 2);
+  EXPECT_NE(off_the_map.err.find("outside of the map's border"), std::string::npos)
+      << off_the_map.err;
   EXPECT_EQ(localize({"--from-reference"}).status, 2);                   // no reference
   EXPECT_EQ(localize({"--odometry", odometry_, "--kidnap"}).status, 2);  // nowhere to
   EXPECT_EQ(localize({"--first-scan", "3", "--last-scan", "12"}).status, 2);
@@ -166,6 +172,20 @@ TEST_F(LocalizeLog, RefusesWhatMakesNoSense) {
   const auto beyond = localize({"--odometry", odometry_, "--windows", windows});
   EXPECT_EQ(beyond.status, 3);
   EXPECT_NE(beyond.err.find("windows.csv:3:"), std::string::npos) << beyond.err;
+}
+
+TEST_F(LocalizeLog, WarnsOfTheOdometryOfAnotherLog) {
+  std::string table = "scan,t,odom_x,odom_y,odom_theta\n";
+  for (std::size_t i = 0; i < kScans; ++i) {
+    table += std::to_string(i) + ',' + std::to_string(i + (i == 5 ? 7 : 0)) + ",0,0,0\n";
+  }
+  const auto other = folder_.file("other.csv", table);
+  const auto warned = localize({"--odometry", other, "--initial-pose", "2,1.5,0"});
+  EXPECT_NE(warned.err.find("other.csv: its times are up to 7.0 s off those of the log's scans"),
+            std::string::npos)
+      << warned.err;
+  const auto own = localize({"--odometry", odometry_, "--initial-pose", "2,1.5,0"});
+  EXPECT_EQ(own.err.find("warning"), std::string::npos) << own.err;
 }
 
 TEST_F(LocalizeLog, NamesTheLineOfABrokenLog) {

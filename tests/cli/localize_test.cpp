@@ -185,6 +185,7 @@ TEST_F(Localize, RefusesWrongUsage) {
   EXPECT_EQ(localize({"--pose", "40,4,0"}).status, 2) << "outside of the border";
   EXPECT_EQ(localize({"--trials", "0"}).status, 2);
   EXPECT_EQ(localize({"--trials", "2", "--initial-pose", "1,1,1"}).status, 2);
+  EXPECT_EQ(localize({"--pose", "10,10,0", "--initial-pose", "40,4,0"}).status, 2);
   EXPECT_EQ(localize({"--pose", "1,1,0", "--likelihood", "best"}).status, 2);
   EXPECT_EQ(localize({"--pose", "1,1,0", "--likelihood", "report", "--temper", "0.5"}).status, 2);
   EXPECT_EQ(localize({"--pose", "1,1,0", "--with-particles"}).status, 2) << "needs json";

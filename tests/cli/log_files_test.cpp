@@ -8,8 +8,8 @@
 #include <boost/iostreams/filtering_stream.hpp>
 
 #include "cli/support/error.hpp"
-#include "tests/support/data.hpp"
 #include "tests/cli/program_run.hpp"
+#include "tests/support/data.hpp"
 
 namespace mapwright::test {
 namespace {
@@ -51,7 +51,8 @@ TEST(LogFile, ACutGzipFileIsAnError) {
   const TemporaryFolder folder;
   const std::string bytes = zipped(kLog);
   const auto path = folder.file("run.log.gz", bytes.substr(0, bytes.size() - 6));
-  EXPECT_NE(message_of([&] { cli::read_log_file(path); }).find("gzip"), std::string::npos);
+  EXPECT_EQ(message_of([&] { cli::read_log_file(path); }),
+            path + ": is cut short or damaged: it is not gzip data to its end");
 }
 
 TEST(LogFile, MistakesHaveFileAndLine) {
@@ -65,6 +66,7 @@ TEST(OdometryFile, ReadsWithAndWithoutReference) {
   const TemporaryFolder folder;
   const auto plain = cli::read_odometry_file(
       folder.file("a.csv", "scan,t,odom_x,odom_y,odom_theta\n0,1,2,3,0.5\n1,2,2.5,3,0.25\n"), 2);
+  EXPECT_EQ(plain[1].time_s, 2.0);
   EXPECT_EQ(plain[1].odometry, (Pose{2.5, 3.0, Angle::from_radians(0.25)}));
   EXPECT_FALSE(plain[1].reference);
   const auto with_reference = cli::read_odometry_file(
@@ -76,6 +78,14 @@ TEST(OdometryFile, ReadsWithAndWithoutReference) {
   const auto without_heading =
       cli::read_odometry_file(folder.file("c.csv", "0,1,2,3,0.5,4,5,0.75\n"), 1);
   EXPECT_TRUE(without_heading[0].reference);
+}
+
+TEST(OdometryFile, HalfAReferenceIsAMistake) {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.file("a.csv", "scan,t,odom_x,odom_y,odom_theta,ref_x,ref_y\n0,1,2,3,0.5,4,5\n");
+  EXPECT_EQ(message_of([&] { cli::read_odometry_file(path, 1); }),
+            path + ":1: field 1: no column 'ref_theta', which belongs to the others of its kind");
 }
 
 TEST(OdometryFile, MustFitTheLog) {

@@ -88,6 +88,24 @@ TEST(CarmenLog, NamesTheLineOfAMistake) {
   EXPECT_EQ(message_of("ODOM 0 0 0\n"), "run.log: holds no scan (no FLASER, no ROBOTLASER1)");
 }
 
+TEST(CarmenLog, AWrongNumberOfRangesIsNoPose) {
+  const std::string end = " 0 0 0 1 2 0.5 3.5 host 3.75\n";
+  EXPECT_EQ(read("FLASER 3 1 1 1" + end).size(), 1U);
+  EXPECT_EQ(read("FLASER 3 1 1 1 0 0 0 1 2 0.5 3.5\n").size(), 1U);  // without the host
+  EXPECT_EQ(
+      message_of("FLASER 3 1 1 1 1" + end),
+      "run.log:1: 3 ranges and what follows them are 12 fields, but here are 13; is the number "
+      "of ranges wrong?");
+  EXPECT_EQ(
+      message_of("FLASER 4 1 1 1" + end),
+      "run.log:1: 4 ranges and what follows them are 13 fields, but here are 12; is the number "
+      "of ranges wrong?");
+}
+
+TEST(CarmenLog, PassesAByteOrderMarkBy) {
+  EXPECT_EQ(read("\xEF\xBB\xBF# CARMEN Logfile\nFLASER 2 1 1 0 0 0 0 0 0 1 h 1\n").size(), 1U);
+}
+
 TEST(CarmenLog, PassesNoBytesByThatAreNoText) {
   EXPECT_NE(message_of(std::string_view("\x00\x01\xff", 3)).find("run.log:1: "), std::string::npos);
 }
