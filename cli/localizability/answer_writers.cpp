@@ -123,6 +123,14 @@ std::string length_text(double value_m) {
   return buffer;
 }
 
+// "0.049 deg", "unknown".
+std::string degrees_text(double value_deg) {
+  char buffer[32];
+  if (!std::isfinite(value_deg)) return "unknown";
+  std::snprintf(buffer, sizeof buffer, "%.3f deg", value_deg);
+  return buffer;
+}
+
 std::string spread_line(const char* what, const Spread& s, double limit_m) {
   return line("%-34s %9s %9s %9s %9s   %5.1f %% above %g m", what, length_text(s.median).c_str(),
               length_text(s.p75).c_str(), length_text(s.p90).c_str(), length_text(s.p95).c_str(),
@@ -198,8 +206,9 @@ void write_localizability_text(std::ostream& out, const LocalizabilityAnswer& an
   out << spread_line("any unbiased estimator, worst h.", s.worst_m, limit_m);
   out << spread_line("with edges, median heading", s.edges_median_m, limit_m);
   out << spread_line("with edges, worst heading", s.edges_worst_m, limit_m);
-  out << line("heading, median heading: %.3f deg (median), %.3f deg (95 %%)",
-              s.heading_median_deg.median, s.heading_median_deg.p95);
+  out << line("heading, median heading: %s (median), %s (95 %%)",
+              degrees_text(s.heading_median_deg.median).c_str(),
+              degrees_text(s.heading_median_deg.p95).c_str());
   if (answer.settings.look_for_twins) {
     out << line(
         "risk of confusion above %g: on %.2f %% of the places (median heading), %.2f %% (worst)",

@@ -29,9 +29,9 @@ std::uint64_t parse_integer(const std::string& option, const std::string& text, 
   const bool is_read = error == std::errc{} && stop == text.data() + text.size();
   if (is_read && least <= value && value <= most) return value;
   const std::string range = most == UINT64_MAX
-                                ? std::to_string(least) + " or more"
+                                ? "of " + std::to_string(least) + " or more"
                                 : "from " + std::to_string(least) + " to " + std::to_string(most);
-  fail_usage("--" + option + ": '" + text + "' is not a whole number, " + range);
+  fail_usage("--" + option + ": '" + text + "' is no whole number " + range);
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,

@@ -223,6 +223,16 @@ void Localizability::write_output(const MapDocument& document, const Localizabil
   file.commit();
 }
 
+// Statistics of no place at all would read like those of a perfect map.
+void require_places(const navcore::LocalizabilityField& field) {
+  const bool any = std::any_of(field.stands.begin(), field.stands.end(),
+                               [](auto stands) { return stands != 0; });
+  if (any) return;
+  fail_usage(
+      "there is no place to look at: the robot stands in the middle of no cell; choose a smaller "
+      "--cell, another --bbox or a smaller --robot-radius");
+}
+
 ExitStatus Localizability::run(Console& console) {
   const MapDocument document = read_sound_map_file(map_path_);
   auto georeference = read_sidecar(map_path_);
@@ -235,6 +245,7 @@ ExitStatus Localizability::run(Console& console) {
   const navcore::FreeSpace space(document.map);
   const auto field = navcore::localizability_field(document.map, space, settings_,
                                                    console.progress("localizability"));
+  require_places(field);
   LocalizabilityAnswer answer{settings_,
                               limits_,
                               field,

@@ -70,7 +70,7 @@ void draw_panel(Canvas& canvas, const View& view, const Map& map, const std::vec
   canvas.clip(view.panel);
   draw_ground(canvas, view, map.border);
   if (overlay.field) draw_field(canvas, view, *overlay.field);
-  draw_shapes(canvas, view, shapes);
+  draw_shapes(canvas, view, shapes, overlay.field ? RampFill::kNone : RampFill::kColoured);
   if (options.orientation_ticks) draw_orientation_ticks(canvas, view, shapes);
   draw_border(canvas, view, map.border);
   draw_overlay(canvas, view, overlay.items);

@@ -43,6 +43,16 @@ TEST(LocalizabilityVerb, AnswersByTheContract) {
   EXPECT_FALSE(answer.contains("confirmation"));
 }
 
+TEST(LocalizabilityVerb, SaysUnknownWhereNothingIsSeen) {
+  const ProgramRun run = test::run(
+      {"localizability", corridor(), "--cell", "1", "--no-twins", "--laser-height", "100"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("heading, median heading: unknown (median), unknown (95 %)"),
+            std::string::npos)
+      << run.out;
+  EXPECT_EQ(run.out.find("inf"), std::string::npos) << run.out;
+}
+
 TEST(LocalizabilityVerb, WritesNamedBandsWithNoDataInSolids) {
   TemporaryFolder folder;
   const std::string sample = project_file("samples/campus/campus.txt").string();
@@ -113,6 +123,15 @@ TEST(LocalizabilityVerb, RefusesWhatMakesNoSense) {
   EXPECT_EQ(test::run({"localizability", corridor(), "--show", "risk", "--no-twins"}).status, 2);
   EXPECT_EQ(test::run({"localizability", corridor(), "--cell", "0.0001"}).status, 2);
   EXPECT_EQ(test::run({"localizability", "missing.txt"}).status, 3);
+  for (const std::vector<std::string>& nowhere : {std::vector<std::string>{"--cell", "1000"},
+                                                  {"--cell", "1", "--bbox", "500,500,600,600"},
+                                                  {"--cell", "1", "--robot-radius", "100"}}) {
+    std::vector<std::string> arguments{"localizability", corridor(), "--no-twins"};
+    arguments.insert(arguments.end(), nowhere.begin(), nowhere.end());
+    const ProgramRun run = test::run(arguments);
+    EXPECT_EQ(run.status, 2) << nowhere[0];
+    EXPECT_NE(run.err.find("there is no place to look at"), std::string::npos) << run.err;
+  }
   EXPECT_EQ(
       test::run({"localizability", corridor(), "--cell", "1", "--no-twins", "-o", "missing/x.png"})
           .status,

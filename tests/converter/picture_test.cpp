@@ -135,6 +135,24 @@ TEST(Picture, OverlaysLieWhereTheyBelong) {
   EXPECT_GT(low_left.min_y(), high_right.max_y());
 }
 
+TEST(Picture, AFieldShowsOnRampsAndNotInBuildings) {
+  Overlay everywhere;
+  everywhere.field = ColourField{{0.0, 0.0}, 20.0, 1, {Colour::from_hex(0xFF0000)}};
+  const auto changed = [&](Obstacle obstacle) {
+    Map map = empty_site();
+    map.obstacles = {std::move(obstacle)};
+    return drawn(map, plain(), everywhere)
+        .difference(drawn(empty_site(), plain(), everywhere))
+        .within_panel(0.85)
+        .count();
+  };
+  const auto under_building = changed(box(1, 5, 5, 10, 12));
+  Obstacle ramp = box(1, 5, 5, 10, 0, "ramp,normal=-0.08:0:0.9968");
+  ramp.shape_type = ShapeType::kRamp;
+  EXPECT_GT(under_building, 10'000);
+  EXPECT_LT(changed(ramp), under_building / 8);  // its outline and its arrow
+}
+
 TEST(Picture, EveryOverlayItemLeavesAMark) {
   const auto paper = drawn(empty_site(), plain());
   const Stroke red{Colour::from_hex(0xFF0000), 1.0};

@@ -179,9 +179,11 @@ void draw_arrow(Canvas& canvas, Point from, Point to, const Stroke& stroke) {
   canvas.stroke(stroke);
 }
 
-void draw_shapes(Canvas& canvas, const View& view, const std::vector<Shape>& shapes) {
+void draw_shapes(Canvas& canvas, const View& view, const std::vector<Shape>& shapes,
+                 RampFill ramps) {
   for (const auto& shape : shapes) {
-    fill_shape(canvas, shape);
+    const bool open = shape.kind == ObstacleKind::kRamp && ramps == RampFill::kNone;
+    if (!open) fill_shape(canvas, shape);
     stroke_segments(canvas, view, shape);
     draw_slope(canvas, view, shape);
   }
