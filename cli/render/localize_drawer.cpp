@@ -95,6 +95,10 @@ void add_way(const Json& answer, const Json& shown, const char* key, Colour colo
 
 void draw_localization(const Json& answer, converter::Overlay& overlay,
                        std::optional<std::size_t> iteration) {
+  if (answer.contains("trials")) {
+    throw std::runtime_error(
+        "it sums many runs up; run localize on one of them, with --pose or without --windows");
+  }
   const Json& shown = chosen_iteration(answer, iteration);
   const bool recorded = shown.contains("t");  // of a log
   add_seen(answer, shown, overlay);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -63,11 +64,12 @@ Box parse_window(const std::string& text) {
 // "all", or a number from 1.
 std::optional<std::size_t> parse_iteration(const std::string& text) {
   if (text == "all") return std::nullopt;
-  const double number = parse_number("iteration", text);
-  if (number < 1.0 || number > 1.0e6 || number != static_cast<double>(std::size_t(number))) {
+  std::size_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || stop != text.data() + text.size() || number < 1) {
     fail_usage("--iteration: '" + text + "' is neither a number from 1 nor 'all'");
   }
-  return static_cast<std::size_t>(number);
+  return number;
 }
 
 int frame_ms(const std::string& seconds) {

@@ -100,6 +100,11 @@ TEST_F(LocalizeLog, AnswersManyStretches) {
   EXPECT_EQ(json["trials"], 2);
   EXPECT_EQ(json["converged"], 2);
   EXPECT_EQ(json["runs"][1]["first_scan"], 2);
+  const auto many =
+      run({"render", map_, "--overlay", folder_.file("many.json", localize(with_json).out), "-o",
+           folder_.path("many.svg")});
+  EXPECT_EQ(many.status, 3);
+  EXPECT_NE(many.err.find("it sums many runs up"), std::string::npos) << many.err;
   with_json.insert(with_json.end(), {"--threads", "1"});
   EXPECT_EQ(Json::parse(localize(with_json).out), json);
 }
@@ -147,6 +152,10 @@ TEST_F(LocalizeLog, IsDrawnWithBothWays) {
   const auto animation = run({"render", map_, "--overlay", overlay, "-o", moving, "--iteration",
                               "all", "--frame-time", "0.1", "--width", "400"});
   EXPECT_EQ(animation.status, 0) << animation.err;
+  const auto no_number =
+      run({"render", map_, "--overlay", overlay, "-o", picture, "--iteration", "last"});
+  EXPECT_NE(no_number.err.find("neither a number from 1 nor 'all'"), std::string::npos)
+      << no_number.err;
   EXPECT_EQ(run({"render", map_, "--overlay", overlay, "-o", moving, "--frame-time", "0.1"}).status,
             2);  // a still picture has no frames
   EXPECT_EQ(run({"render", map_, "--overlay", overlay, "-o", moving, "--iteration", "all",
