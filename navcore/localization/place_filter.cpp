@@ -43,14 +43,19 @@ double weight_of(const ParticleSet& particles, IndexRange cell) {
   return sum;
 }
 
-PoseBelief belief_of(const ParticleSet& particles, IndexRange cell) {
+// With weights that sum up to 1.
+ParticleSet part_of(const ParticleSet& particles, IndexRange cell) {
   const double whole = weight_of(particles, cell);
   ParticleSet part;
   for (std::size_t i = cell.begin; i < cell.end; ++i) {
     part.poses.push_back(particles.poses[i]);
     part.weights.push_back(particles.weights[i] / whole);
   }
-  return {part, kBelief_m, kBelief_deg};
+  return part;
+}
+
+PoseBelief belief_of(const ParticleSet& particles, IndexRange cell) {
+  return {part_of(particles, cell), kBelief_m, kBelief_deg};
 }
 
 // As they are, in order of place.
@@ -112,31 +117,42 @@ void PlaceFilter::take(const ParticleSet& particles, const FreeSpace* space) {
   sure_for_ = 0;
   lost_ = false;
   coarse_ = true;
-  places_ = in_cells(particles);
+  rest_at(in_cells(particles));
+}
+
+void PlaceFilter::rest_at(CellSample places) {
+  places_ = std::move(places);
+  before_ = places_.particles;
+  step_.reset();
 }
 
 void PlaceFilter::move(const OdometryStep& step) {
   if (heading_) heading_ = turned(*heading_, step, settings_.odometry);
   if (lost_) return searcher_.move(step);
+  if (step_) weigh_ways();
   ++epoch_;
+  before_ = places_.particles;
+  step_ = step;
   auto& poses = places_.particles.poses;
-  auto& weights = places_.particles.weights;
   parallel_for(poses.size(), kGrain, settings_.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Random random = stream(i);
-      const Pose from = poses[i];
-      poses[i] = moved(from, perturbed(step, settings_.odometry, random));
-      if (!is_way(from, poses[i])) weights[i] *= how_.through_barrier;
+      poses[i] = moved(poses[i], perturbed(step, settings_.odometry, random));
     }
   });
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  for (double& weight : weights) weight /= sum;
 }
 
-bool PlaceFilter::is_way(const Pose& from, const Pose& to) const {
-  const double radius_m = how_.robot_radius_m;
-  return space_ == nullptr || (space_->is_free(to.position(), radius_m) &&
-                               space_->is_free_way(from.position(), to.position(), radius_m));
+// Of a movement that no scan follows; else the next scan's particles have ways of their own.
+void PlaceFilter::weigh_ways() {
+  if (space_ == nullptr) return;
+  auto& weights = places_.particles.weights;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const Point from = before_.poses[i].position();
+    const Point to = places_.particles.poses[i].position();
+    if (!is_way(*space_, from, to, how_.robot_radius_m)) weights[i] *= how_.through_barrier;
+  }
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& weight : weights) weight /= sum;
 }
 
 UpdateReport PlaceFilter::update(std::span<const double> scan) {
@@ -165,15 +181,20 @@ std::vector<Place> PlaceFilter::searched_places() {
   return places;
 }
 
+// `here`: the probability that the robot is not somewhere else.
+TrackedPrior PlaceFilter::prior_of(IndexRange cell, double here) const {
+  const double share = here * weight_of(before_, cell);
+  return {MovedPoses(part_of(before_, cell), step_.value_or(OdometryStep()), settings_.odometry),
+          std::log(share), step_ ? space_ : nullptr, how_.robot_radius_m,
+          std::log(how_.through_barrier)};
+}
+
 std::vector<Place> PlaceFilter::tracked_places() const {
   const double here = looks_elsewhere() ? 1.0 - settings_.elsewhere : 1.0;
   std::vector<Place> places;
   for (const IndexRange cell : places_.cells) {
-    const PoseBelief belief = belief_of(places_.particles, cell);
-    const double share = here * weight_of(places_.particles, cell);
-    const std::size_t count = cell.end - cell.begin;
-    places.push_back({TrackedPrior{belief, std::log(share)}, belief,
-                      std::max(how_.least_particles, count),
+    places.push_back({prior_of(cell, here), belief_of(places_.particles, cell),
+                      std::max<std::size_t>(how_.least_particles, cell.end - cell.begin),
                       coarse_ ? 0 : how_.tracked_from_stage});
   }
   return places;
@@ -240,8 +261,8 @@ UpdateReport PlaceFilter::weigh(std::vector<Place> places, std::span<const Place
   sure_for_ = sure ? sure_for_ + 1 : 0;
   const bool settled = sure_for_ >= how_.settled_after;
   coarse_ = false;
-  places_ = kept(sample.particles, settled ? std::min(how_.settled_particles, settings_.particles)
-                                           : settings_.particles);
+  rest_at(kept(sample.particles, settled ? std::min(how_.settled_particles, settings_.particles)
+                                         : settings_.particles));
   return report;
 }
 

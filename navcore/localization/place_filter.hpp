@@ -18,10 +18,10 @@ namespace mapwright::navcore {
 
 /// A Gaussian sum particle filter (Kotecha, Djurić 2003). A ParticleFilter searches the map with
 /// the first scan. The places it finds (cells of 1 m × 1 m × 20°) are tracked each by particles of
-/// its own: odometry spreads them, a normal distribution with a tail stands for what they then
-/// know, and the next scan draws new ones from it and weighs the place (sample_places). So a
-/// place's weight is an integral, not a matter of how near to its peak one of few particles lay,
-/// and places that look the same weigh the same.
+/// its own: odometry spreads them, and the next scan draws new ones around them and weighs the
+/// place (sample_places), given where odometry may have led from each of the old ones (MovedPoses).
+/// So a place's weight is an integral, not a matter of how near to its peak one of few particles
+/// lay, and places that look the same weigh the same.
 class PlaceFilter final : public PoseFilter {
  public:
   /// Keeps a reference to `weigher`. Requires settings.places, each with stages.
@@ -40,9 +40,11 @@ class PlaceFilter final : public PoseFilter {
   const ParticleSet& particles() const override;
 
  private:
-  bool is_way(const Pose& from, const Pose& to) const;
+  void rest_at(CellSample places);
+  void weigh_ways();
   bool looks_elsewhere() const { return space_ != nullptr && settings_.elsewhere_particles > 0; }
   std::vector<Place> searched_places();
+  TrackedPrior prior_of(IndexRange cell, double here) const;
   std::vector<Place> tracked_places() const;
   std::vector<Place> elsewhere_places(std::span<const double> scan);
   std::vector<Pose> elsewhere_by_fit(std::span<const double> scan);
@@ -66,6 +68,8 @@ class PlaceFilter final : public PoseFilter {
   bool coarse_ = false;       ///< the places come from somewhere else
   std::size_t sure_for_ = 0;  ///< scans in a row that one mode held enough weight
   CellSample places_;
+  ParticleSet before_;                ///< the same particles before the last movement
+  std::optional<OdometryStep> step_;  ///< the last movement, if it came after the last scan
 };
 
 /// The filter that the settings ask for: a PlaceFilter, or without places a ParticleFilter.

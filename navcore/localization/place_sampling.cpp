@@ -82,14 +82,19 @@ class Sampling {
     }
   }
 
-  // A place's particles stand for the place together, however many they are.
+  // A place's particles stand for the place together, however many they are. Ways are looked at
+  // last: that is costly, and says little of where to draw.
   PlaceSample result() const {
     std::vector<Pose> poses;
     std::vector<double> log_weights;
-    for (const Draws& draws : draws_) {
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const Draws& draws = draws_[k];
       const double log_count = std::log(static_cast<double>(draws.poses.size()));
       poses.insert(poses.end(), draws.poses.begin(), draws.poses.end());
-      for (const double weight : draws.log_weights) log_weights.push_back(weight - log_count);
+      for (std::size_t i = 0; i < draws.poses.size(); ++i) {
+        const double way = log_way(places_[k].prior, draws.poses[i]);
+        log_weights.push_back(draws.log_weights[i] + way - log_count);
+      }
     }
     PlaceSample sample{with_equal_weights(std::move(poses)), false};
     sample.contradicted = !multiply_weights(sample.particles.weights, log_weights);

@@ -9,6 +9,7 @@
 #include "navcore/localization/filter_settings.hpp"
 #include "navcore/localization/particles.hpp"
 #include "navcore/localization/place_prior.hpp"
+#include "navcore/localization/pose_belief.hpp"
 #include "navcore/localization/scan_weigher.hpp"
 
 namespace mapwright::navcore {

@@ -53,16 +53,21 @@ class Places : public testing::Test {
   ScanEvidence evidence(const std::vector<double>& scan) const {
     return {scan, laser_, robust_settings().likelihood, &engine_, 1};
   }
-  // The robot may be around the pose with this probability.
-  static Place around(const Pose& pose, double share, std::size_t count) {
-    const PoseBelief belief(with_equal_weights({pose}), 0.1, 2.0);
-    return {TrackedPrior{belief, std::log(share)}, belief, count, 0};
+  // With this probability a step of a metre has led the robot to around the pose.
+  static Place around(const Pose& pose, double share, std::size_t count,
+                      const OdometryNoise& noise = kNoise) {
+    const ParticleSet from = with_equal_weights({moved(pose, {Angle(), -1.0, Angle()})});
+    return {TrackedPrior{MovedPoses(from, kStep, noise), std::log(share), nullptr, 0.0, 0.0},
+            PoseBelief(with_equal_weights({pose}), 0.1, 2.0), count, 0};
   }
   static double first_share(const PlaceSample& sample, std::size_t count) {
     return std::accumulate(sample.particles.weights.begin(),
                            sample.particles.weights.begin() + static_cast<std::ptrdiff_t>(count),
                            0.0);
   }
+
+  static inline const OdometryStep kStep{Angle(), 1.0, Angle()};
+  static constexpr OdometryNoise kNoise{0.0, 0.03, 0.1, 0.0};
 
   Map map_;
   FreeSpace space_{map_};
@@ -91,8 +96,9 @@ TEST_F(Places, AreDrawnFromAgainUntilTheyAreMet) {
   const Pose truth = pose_at(5.0, 5.0, 20.0);
   const auto scan = scan_at(truth);
   const auto vaguely = [](const Pose& pose, std::size_t count) {
-    const PoseBelief belief(with_equal_weights({pose}), 0.3, 7.0);
-    return Place{TrackedPrior{belief, std::log(0.5)}, belief, count, 0};
+    Place place = around(pose, 0.5, count, {0.0, 0.1, 0.3, 0.0});
+    place.proposal = PoseBelief(with_equal_weights({pose}), 0.3, 7.0);
+    return place;
   };
   const std::vector<PlaceStage> at_once{{0.06, 0.6}};
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -119,10 +125,10 @@ TEST_F(UnequalPlaces, WeighWhatTheMeanLikelihoodOverThePriorIs) {
   LikelihoodModel likelihood = robust_settings().likelihood;
   likelihood.sigma_m = 0.3;
   const auto mean_likelihood = [&](const Pose& middle) {
-    const PoseBelief belief(with_equal_weights({middle}), 0.1, 2.0);
+    const Pose from = moved(middle, {Angle(), -1.0, Angle()});
     Random random(3);
     std::vector<Pose> poses;
-    for (int i = 0; i < 20000; ++i) poses.push_back(belief.at(PoseBelief::deviate(random)));
+    for (int i = 0; i < 20000; ++i) poses.push_back(moved(from, perturbed(kStep, kNoise, random)));
     std::vector<double> factors(poses.size());
     engine_.weigh(scan, laser_, likelihood, poses, factors, 1);
     double sum = 0.0;
@@ -191,21 +197,49 @@ TEST(CellSample, KeepsWeightsAndFewOfWhatIsUnlikely) {
   EXPECT_EQ(one.particles.poses[0].x, 0.5);
 }
 
-TEST_F(Places, ARobotDoesNotDriveThroughWhatBlocksIt) {
-  const Pose here = pose_at(4.0, 5.0, 0.0), before_the_box = pose_at(7.7, 6.5, 0.0);
-  const auto share_of_the_free_way = [&](double radius_m) {
+// Two poses, each as likely; a metre ahead of the second one a disc of 0.4 m is too near to the
+// box.
+class BlockedWay : public Places {
+ protected:
+  PlaceFilter moved_filter(double radius_m) const {
     FilterSettings settings = robust_settings();
     settings.elsewhere_particles = 0;
     settings.places->robot_radius_m = radius_m;
     PlaceFilter filter(engine_, laser_, settings, 1);
-    ParticleSet both;
-    for (int i = 0; i < 100; ++i) both.poses.push_back(i < 50 ? here : before_the_box);
-    filter.take(with_equal_weights(both.poses), &space_);
-    filter.move({Angle(), 1.0, Angle()});  // the second one comes within 0.3 m of the box's side
-    return share_around(filter.particles(), pose_at(5.0, 5.0, 0.0));
+    std::vector<Pose> both;
+    for (int i = 0; i < 100; ++i) both.push_back(i < 50 ? here_ : before_the_box_);
+    filter.take(with_equal_weights(both), &space_);
+    filter.move(step_);
+    return filter;
+  }
+  double share_of_the_free_way(const PlaceFilter& filter) const {
+    return share_around(filter.particles(), moved(here_, step_));
+  }
+
+  const Pose here_ = pose_at(4.0, 5.0, 0.0), before_the_box_ = pose_at(7.7, 6.5, 0.0);
+  const OdometryStep step_{Angle(), 1.0, Angle()};
+};
+
+TEST_F(BlockedWay, IsNotDrivenBeforeAScan) {
+  const std::vector<double> blind(laser_.rays, laser_.max_range_m);
+  const auto share_with = [&](double radius_m) {
+    PlaceFilter filter = moved_filter(radius_m);
+    filter.update(blind);
+    return share_of_the_free_way(filter);
   };
-  EXPECT_NEAR(share_of_the_free_way(0.0), 0.5, 1e-9);
-  EXPECT_NEAR(share_of_the_free_way(0.4), 1.0 / 1.01, 1e-3);
+  const double odds = share_with(0.0) / (1.0 - share_with(0.0));
+  const double odds_of_a_disc = share_with(0.4) / (1.0 - share_with(0.4));
+  EXPECT_NEAR(odds_of_a_disc / odds, 100.0, 5.0);
+}
+
+TEST_F(BlockedWay, IsNotDrivenBeforeAnotherMovement) {
+  const auto share_with = [&](double radius_m) {
+    PlaceFilter filter = moved_filter(radius_m);
+    filter.move({});
+    return share_of_the_free_way(filter);
+  };
+  EXPECT_NEAR(share_with(0.0), 0.5, 1e-9);
+  EXPECT_NEAR(share_with(0.4), 1.0 / 1.01, 1e-3);
 }
 
 TEST_F(Places, TheFilterHoldsBothRoomsAtTheirHalves) {
