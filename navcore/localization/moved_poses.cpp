@@ -17,8 +17,8 @@ constexpr double kLeast_rad = 0.001;
 constexpr double kSmoothing = 0.4;
 
 // So many poses stand for all: fewer where errors blur them more than they are spread.
-constexpr double kLeastOrigins = 16.0;
-constexpr double kMostOrigins = 128.0;
+constexpr std::size_t kLeastOrigins = 16;
+constexpr std::size_t kMostOrigins = 128;
 
 // Of a mixture's density, what is less than exp(this) of the greatest part counts as nothing.
 constexpr double kNegligible = -12.0;
@@ -111,8 +111,8 @@ MovedPoses::MovedPoses(const ParticleSet& from, const OdometryStep& step,
 void MovedPoses::choose(const ParticleSet& from, const std::vector<Vector>& led) {
   const Matrix spread = covariance_of(led, from.weights);
   const double variance = spread[0][0] + spread[1][1] + spread[2][2];
-  const double wanted = std::clamp(variance * kMostOrigins, kLeastOrigins, kMostOrigins);
-  const std::size_t count = std::min(from.size(), static_cast<std::size_t>(wanted));
+  const auto wanted = static_cast<std::size_t>(variance * static_cast<double>(kMostOrigins));
+  const std::size_t count = std::min(from.size(), std::clamp(wanted, kLeastOrigins, kMostOrigins));
   double sum = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = k * from.size() / count;
@@ -138,15 +138,16 @@ MovedPoses::Vector MovedPoses::white(const Vector& off) const {
 
 double MovedPoses::log_density(const Pose& pose) const {
   const Vector at = white(off(pose));
-  std::vector<double> logs(means_.size());
+  std::array<double, kMostOrigins> logs;
   double greatest = -HUGE_VAL;
   for (std::size_t i = 0; i < means_.size(); ++i) {
     logs[i] = log_weights_[i] - 0.5 * squared_distance(at, means_[i]);
     greatest = std::max(greatest, logs[i]);
   }
   double sum = 0.0;
-  for (const double log : logs) {
-    if (log > greatest + kNegligible) sum += std::exp(static_cast<float>(log - greatest));
+  for (std::size_t i = 0; i < means_.size(); ++i) {
+    const double log = logs[i] - greatest;
+    if (log > kNegligible) sum += std::exp(static_cast<float>(log));
   }
   return log_normaliser_ + greatest + std::log(sum);
 }

@@ -16,12 +16,12 @@
 
 namespace mapwright::navcore {
 
-/// A Gaussian sum particle filter (Kotecha, Djurić 2003). A ParticleFilter searches the map with
-/// the first scan. The places it finds (cells of 1 m × 1 m × 20°) are tracked each by particles of
-/// its own: odometry spreads them, and the next scan draws new ones around them and weighs the
-/// place (sample_places), given where odometry may have led from each of the old ones (MovedPoses).
-/// So a place's weight is an integral, not a matter of how near to its peak one of few particles
-/// lay, and places that look the same weigh the same.
+/// A marginal particle filter (Klaas, de Freitas, Doucet 2005) by places. A ParticleFilter searches
+/// the map with the first scan. The places it finds (cells of 1 m × 1 m × 20°) are tracked each by
+/// particles of its own: odometry spreads them, and the next scan draws new ones around them and
+/// weighs the place (sample_places), given where odometry may have led from each of the old ones
+/// (MovedPoses). So a place's weight is an integral, not a matter of how near to its peak one of
+/// few particles lay, and places that look the same weigh the same.
 class PlaceFilter final : public PoseFilter {
  public:
   /// Keeps a reference to `weigher`. Requires settings.places, each with stages.
