@@ -22,7 +22,7 @@ namespace mapwright::converter {
 namespace {
 
 // Enough that a batch's query costs nothing, few enough that a batch of large geometries fits.
-constexpr const char* kRowsInBatch = "MAX_FEATURES_IN_BATCH=4096";
+constexpr const char* kRowsInBatch = "MAX_FEATURES_IN_BATCH=1024";
 
 // The worker that GDAL would start to read ahead opens the file a second time.
 class OneThread {
