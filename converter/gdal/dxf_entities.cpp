@@ -48,7 +48,7 @@ bool is_in(const std::array<std::string_view, N>& names, std::string_view name) 
 }
 
 struct Entity {
-  std::string_view type, layer = "0", block;  // `block`: that an INSERT inserts
+  std::string_view type, layer = "0", block = {};  // `block`: that an INSERT inserts
   bool on_paper = false;
 };
 
