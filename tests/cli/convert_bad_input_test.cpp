@@ -363,13 +363,15 @@ std::string kml(const std::string& coordinates) {
 // GDAL takes words for 0: the map of a yard became one of hundreds of kilometres.
 TEST_F(BadInput, WordsAmongCoordinatesOfXml) {
   const std::string sound = "2.1,41.3 +2.1001,41.3,0 2.10e0,41.3001 2.1,41.3";
-  const auto read = run({"convert", folder_.file("a.kml", kml(sound)), "-o", folder_.path("a.txt")});
+  const auto read =
+      run({"convert", folder_.file("a.kml", kml(sound)), "-o", folder_.path("a.txt")});
   EXPECT_EQ(read.status, 0) << read.err;
   refuse(folder_.file("b.kml", kml("2.1,41.3\n2.1001,abc 2.1,41.3001 2.1,41.3")), 3,
          "b.kml: cannot be read: line 5: \"abc\" stands among coordinates and is no number");
   const std::string gml =
       "<r:c xmlns:r=\"urn:r\" xmlns:gml=\"http://www.opengis.net/gml/3.2\">\n<gml:featureMember>"
-      "<r:wall gml:id=\"w\"><r:g><gml:LineString srsName=\"EPSG:25831\"><gml:posList>430000 4580000 "
+      "<r:wall gml:id=\"w\"><r:g><gml:LineString srsName=\"EPSG:25831\"><gml:posList>430000 "
+      "4580000 "
       "430010 45800o0</gml:posList></gml:LineString></r:g></r:wall></gml:featureMember></r:c>";
   refuse(folder_.file("a.gml", gml), 3, "line 2: \"45800o0\" stands among coordinates");
 }

@@ -8,16 +8,14 @@
 #include "mapcore/text/reader.hpp"
 #include "tests/cli/program_run.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/file_content.hpp"
 
 namespace mapwright {
 namespace {
 
-using nlohmann::json;
+using test::content;
 
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using nlohmann::json;
 
 test::ProgramRun convert(const std::string& source, const std::string& map,
                          const std::string& report) {

@@ -6,18 +6,15 @@
 
 #include "mapcore/text/reader.hpp"
 #include "tests/cli/program_run.hpp"
+#include "tests/support/file_content.hpp"
 #include "tests/support/gis_files.hpp"
 
 namespace mapwright {
 namespace {
 
 using nlohmann::json;
+using test::content;
 using test::TemporaryFolder;
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 class Sources : public testing::Test {
  protected:

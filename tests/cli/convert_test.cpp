@@ -8,21 +8,18 @@
 #include "mapcore/georeference.hpp"
 #include "mapcore/text/reader.hpp"
 #include "tests/cli/program_run.hpp"
+#include "tests/support/file_content.hpp"
 #include "tests/support/gis_files.hpp"
 
 namespace mapwright {
 namespace {
 
 using nlohmann::json;
+using test::content;
 using test::GisFeature;
 using test::GisLayer;
 using test::run;
 using test::TemporaryFolder;
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 struct Converted {
   test::ProgramRun run;

@@ -8,6 +8,7 @@
 #include "mapcore/text/writer.hpp"
 #include "tests/cli/program_run.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/file_content.hpp"
 #include "tests/support/gis_files.hpp"
 #include "tests/support/random_map.hpp"
 #include "tests/support/random_site.hpp"
@@ -15,16 +16,12 @@
 namespace mapwright {
 namespace {
 
+using test::content;
 using test::project_file;
 using test::run;
 using test::TemporaryFolder;
 
 const std::vector<std::string> kFormats{"gpkg", "shp", "geojson", "fgb", "kml", "dxf"};
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // Exports a map, converts that without any option and returns the map's text, or what went wrong.
 std::string round_trip(const TemporaryFolder& folder, const std::string& map,

@@ -10,11 +10,13 @@
 
 #include "mapcore/georeference.hpp"
 #include "tests/cli/program_run.hpp"
+#include "tests/support/file_content.hpp"
 
 namespace mapwright {
 namespace {
 
 using nlohmann::json;
+using test::content;
 using test::run;
 using test::TemporaryFolder;
 
@@ -25,11 +27,6 @@ constexpr const char* kMap =
     "obstacle;2;1;3;open;#\n10;2;12;2;3;1;w;#\n12;2;12;4;3;1;w;#\n12;4;10;4;3;1;w;#\n"
     "obstacle;3;2;2;fence;#\n2;10;4;10;1;1;w;#\n2;10;4;10;1;1;w;#\n"
     "obstacle;4;1;3;turned;#\n10;10;12;12;1;1;w;#\n12;12;12;10;1;1;w;#\n12;10;10;10;1;1;w;#\n";
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Georeference place(double latitude_deg) {
   return {latitude_deg, 2.1134, 120.0, -20.0, {}, "", {}};

@@ -2,17 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/cli/program_run.hpp"
+#include "tests/support/file_content.hpp"
 
 namespace mapwright {
 namespace {
 
+using test::content;
 using test::run;
 using test::TemporaryFolder;
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 struct Image {
   std::size_t width = 0, height = 0;

@@ -9,18 +9,15 @@
 #include "mapcore/text/writer.hpp"
 #include "tests/cli/program_run.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/file_content.hpp"
 
 namespace mapwright {
 namespace {
 
+using test::content;
 using test::project_file;
 using test::run;
 using test::TemporaryFolder;
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 class Parts : public testing::Test {
  protected:
