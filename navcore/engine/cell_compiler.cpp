@@ -251,6 +251,7 @@ class Compilation {
           .push_back(c.wall);
     }
     drop_tops_behind_stops(stairs);
+    drop_low_steps_behind_tops(stairs);
     drop_stops_behind_tops(stairs);
     if (stairs.tops.empty()) {
       walls.two_sided.insert(walls.two_sided.end(), stairs.stops.begin(), stairs.stops.end());
@@ -262,14 +263,25 @@ class Compilation {
   // A top matters where a ray meets it before a stop, so not where all stops lie on the cell's side
   // of its line: the robot is downstairs.
   void drop_tops_behind_stops(CellStairs& stairs) const {
-    std::erase_if(stairs.tops, [&](const CellWall& top) {
-      const Square::Side near = square_.side(top.a, top.b);
-      if (near == Square::Side::kBoth) return false;
-      const double sign = near == Square::Side::kLeft ? 1.0 : -1.0;
-      return std::all_of(stairs.stops.begin(), stairs.stops.end(), [&](const CellWall& stop) {
-        return sign * side_of_line(top.a, top.b, stop.a) >= 0.0 &&
-               sign * side_of_line(top.a, top.b, stop.b) >= 0.0;
-      });
+    std::erase_if(stairs.tops,
+                  [&](const CellWall& top) { return are_all_before(stairs.stops, top); });
+  }
+
+  // A low step matters where a ray meets it before a top, so not where all tops lie on the cell's
+  // side of its line: the robot is upstairs.
+  void drop_low_steps_behind_tops(CellStairs& stairs) const {
+    std::erase_if(stairs.low_steps,
+                  [&](const CellWall& step) { return are_all_before(stairs.tops, step); });
+  }
+
+  // True if no ray from the cell meets one of the walls beyond the line.
+  bool are_all_before(const std::vector<CellWall>& walls, const CellWall& line) const {
+    const Square::Side near = square_.side(line.a, line.b);
+    if (near == Square::Side::kBoth) return false;
+    const double sign = near == Square::Side::kLeft ? 1.0 : -1.0;
+    return std::all_of(walls.begin(), walls.end(), [&](const CellWall& wall) {
+      return sign * side_of_line(line.a, line.b, wall.a) >= 0.0 &&
+             sign * side_of_line(line.a, line.b, wall.b) >= 0.0;
     });
   }
 

@@ -61,6 +61,14 @@ TEST(Cells, ForgetStairsSeenFromAbove) {
   EXPECT_TRUE(walls.stairs.empty());
 }
 
+TEST(Cells, ForgetLowStepsOfStairsSeenFromAboveAndAside) {
+  const auto walls = list({test::stairs(1, 4, 6, 2, 6)}, {1.5, 6.5});
+  ASSERT_EQ(walls.stairs.size(), 1U);
+  EXPECT_EQ(walls.stairs[0].tops.size(), 1U);
+  EXPECT_FALSE(walls.stairs[0].stops.empty());
+  EXPECT_TRUE(walls.stairs[0].low_steps.empty());
+}
+
 TEST(Cells, KeepRampsOnTheirLowSideOnly) {
   EXPECT_EQ(list({test::ramp(1, 2, 2, 10, 8)}, {1.5, 5.5}).one_sided.size(), 1U);
   EXPECT_EQ(list({test::ramp(1, 2, 2, 10, 8)}, {9.5, 5.5}).one_sided.size(), 0U);
