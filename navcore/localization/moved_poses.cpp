@@ -20,8 +20,16 @@ constexpr double kSmoothing = 0.4;
 constexpr std::size_t kLeastOrigins = 16;
 constexpr std::size_t kMostOrigins = 128;
 
+// A tenth of the probability is spread three times as wide as the whole mixture, as in a
+// PoseBelief: what a few poses say of all has gaps, and the robot may be in one.
+constexpr double kTail = 0.1;
+constexpr double kTailWidth = 3.0;
+
 // Of a mixture's density, what is less than exp(this) of the greatest part counts as nothing.
 constexpr double kNegligible = -12.0;
+
+// Of the peak of a normal density in three dimensions, of variance 1.
+const double kLogNormal = -1.5 * std::log(2.0 * std::numbers::pi);
 
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;
@@ -87,6 +95,17 @@ Matrix whitening_of(const Matrix& covariance) {
   return inverse;
 }
 
+// Of a lower triangle with a vector.
+Vector product(const Matrix& m, const Vector& v) {
+  return {m[0][0] * v[0], m[1][0] * v[0] + m[1][1] * v[1],
+          m[2][0] * v[0] + m[2][1] * v[1] + m[2][2] * v[2]};
+}
+
+// Logarithm of how much a whitening enlarges a volume.
+double log_volume(const Matrix& whitening) {
+  return std::log(whitening[0][0] * whitening[1][1] * whitening[2][2]);
+}
+
 }  // namespace
 
 MovedPoses::MovedPoses(const ParticleSet& from, const OdometryStep& step,
@@ -105,6 +124,19 @@ MovedPoses::MovedPoses(const ParticleSet& from, const OdometryStep& step,
   whitening_ = whitening_of(covariance);
   for (Vector& vector : led) vector = white(vector);
   choose(from, led);
+  add_tail(from, led);
+}
+
+// `led`: where the step leads them, whitened.
+void MovedPoses::add_tail(const ParticleSet& from, const std::vector<Vector>& led) {
+  Matrix covariance = covariance_of(led, from.weights);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < led.size(); ++k) tail_mean_[i] += from.weights[k] * led[k][i];
+    covariance[i][i] += 1.0;
+    for (double& value : covariance[i]) value *= kTailWidth * kTailWidth;
+  }
+  tail_whitening_ = whitening_of(covariance);
+  log_tail_ = kLogNormal + log_volume(whitening_) + log_volume(tail_whitening_) + std::log(kTail);
 }
 
 // `led`: where the step leads them, whitened.
@@ -121,8 +153,7 @@ void MovedPoses::choose(const ParticleSet& from, const std::vector<Vector>& led)
     log_weights_.push_back(std::log(from.weights[i]));
     sum += from.weights[i];
   }
-  log_normaliser_ = -1.5 * std::log(2.0 * std::numbers::pi) +
-                    std::log(whitening_[0][0] * whitening_[1][1] * whitening_[2][2] / sum);
+  log_normaliser_ = kLogNormal + log_volume(whitening_) + std::log((1.0 - kTail) / sum);
 }
 
 MovedPoses::Vector MovedPoses::off(const Pose& pose) const {
@@ -132,8 +163,7 @@ MovedPoses::Vector MovedPoses::off(const Pose& pose) const {
 }
 
 MovedPoses::Vector MovedPoses::white(const Vector& off) const {
-  return {whitening_[0][0] * off[0], whitening_[1][0] * off[0] + whitening_[1][1] * off[1],
-          whitening_[2][0] * off[0] + whitening_[2][1] * off[1] + whitening_[2][2] * off[2]};
+  return product(whitening_, off);
 }
 
 double MovedPoses::log_density(const Pose& pose) const {
@@ -149,7 +179,10 @@ double MovedPoses::log_density(const Pose& pose) const {
     const double log = logs[i] - greatest;
     if (log > kNegligible) sum += std::exp(static_cast<float>(log));
   }
-  return log_normaliser_ + greatest + std::log(sum);
+  const double mixture = log_normaliser_ + greatest + std::log(sum);
+  const Vector off_tail{at[0] - tail_mean_[0], at[1] - tail_mean_[1], at[2] - tail_mean_[2]};
+  const double tail = log_tail_ - 0.5 * squared_distance(product(tail_whitening_, off_tail), {});
+  return std::max(mixture, tail) + std::log1p(std::exp(-std::abs(mixture - tail)));
 }
 
 const Pose& MovedPoses::origin_of(const Pose& pose) const {

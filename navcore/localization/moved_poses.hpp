@@ -16,7 +16,9 @@ namespace mapwright::navcore {
 /// known before: along a wall that is a stretch with two ends, not a normal distribution. The
 /// errors of the step (step_errors) are taken for normal in x, y and heading. To them comes a share
 /// of the spread of all, so that few poses may stand for many (a regularised particle filter:
-/// Musso, Oudjane, Le Gland, Improving regularised particle filters, 2001).
+/// Musso, Oudjane, Le Gland, Improving regularised particle filters, 2001). A tenth of the
+/// probability is spread three times as wide as all that (a defensive mixture: Hesterberg, Weighted
+/// average importance sampling and defensive mixture distributions, 1995).
 class MovedPoses {
  public:
   /// A pose before the step is one of `from`, by their weights. Requires at least one, and that
@@ -36,6 +38,7 @@ class MovedPoses {
   Vector off(const Pose& pose) const;
   Vector white(const Vector& off) const;
   void choose(const ParticleSet& from, const std::vector<Vector>& led);
+  void add_tail(const ParticleSet& from, const std::vector<Vector>& led);
 
   Pose centre_;         ///< the others are relative to it
   Matrix whitening_{};  ///< lower triangle: makes errors independent, of variance 1
@@ -43,6 +46,11 @@ class MovedPoses {
   std::vector<Pose> origins_;  ///< evenly chosen of all
   std::vector<Vector> means_;  ///< where the step leads them, whitened
   std::vector<double> log_weights_;
+
+  // The tail's mean and spread, in terms of whitened poses.
+  Vector tail_mean_{};
+  Matrix tail_whitening_{};
+  double log_tail_ = 0.0;
 };
 
 }  // namespace mapwright::navcore

@@ -70,6 +70,20 @@ TEST(MovedPoses, AreSpreadAsTheErrorsOfTheStep) {
   }
 }
 
+// A robot may be where none of the few poses led: six standard deviations off is a tenth, spread
+// over 27 times the volume, of e^(-6²/18), and not e^-18 of the peak.
+TEST(MovedPoses, LeaveAChanceToWhatIsFarOff) {
+  const Pose start = pose_at(3.0, 1.0, 25.0);
+  const OdometryStep step = step_of(0.0, 1.0, 0.0);
+  const MovedPoses poses(with_equal_weights({start}), step, {});
+  const double deviation_m = step_errors(step, {}).distance_m;
+  const auto density_at = [&](double deviations) {
+    return poses.log_density(moved(start, step_of(0.0, 1.0 + deviations * deviation_m, 0.0)));
+  };
+  EXPECT_NEAR(density_at(2.0) - density_at(0.0), -2.0, 0.1);
+  EXPECT_NEAR(density_at(6.0) - density_at(0.0), std::log(0.1 / 0.9 / 27.0) - 2.0, 0.1);
+}
+
 // A normal distribution for each of two stretches of a wall makes a hill of each, with a valley
 // between them a fifth as high.
 TEST(MovedPoses, OfTwoStretchesOfAWallKnowNothingOfTheirBorder) {
