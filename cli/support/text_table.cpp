@@ -39,6 +39,14 @@ std::optional<double> finite_number(std::string_view text) {
   return value;
 }
 
+// What a spreadsheet wrote that this is not: empty if nothing is known.
+std::string advice_on(const std::string& field) {
+  if (field.find(';') != field.npos) return "; fields are separated by commas, not semicolons";
+  if (field.find('\t') != field.npos) return "; fields are separated by commas, not tabs";
+  if (field.find('"') != field.npos) return "; fields stand without quotes";
+  return {};
+}
+
 // A number that no table can hold ("nan") is a bad row; a word is a heading.
 bool is_heading(const std::vector<std::string>& fields, const std::vector<std::string>& words) {
   return std::any_of(fields.begin(), fields.end(), [&](const std::string& field) {
@@ -85,7 +93,8 @@ double TextTable::number(const Row& row, std::size_t field, const std::string& n
   }
   const auto number = finite_number(row.fields[field]);
   if (!number) {
-    fail(row.line, field, name + ": '" + row.fields[field] + "' is not a finite number");
+    const std::string& text = row.fields[field];
+    fail(row.line, field, name + ": '" + text + "' is not a finite number" + advice_on(text));
   }
   return *number;
 }

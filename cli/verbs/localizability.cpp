@@ -4,6 +4,7 @@
 #include "cli/localizability/answer_writers.hpp"
 #include "cli/localizability/field_layers.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/blind_laser.hpp"
 #include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/files.hpp"
@@ -242,6 +243,7 @@ ExitStatus Localizability::run(Console& console) {
   if (navcore::place_count(document.map, settings_) > kMostPlaces) {
     fail_usage("--cell: more than 20 million cells; choose larger ones, or a part with --bbox");
   }
+  warn_of_blind_laser(document.map, settings_.laser.height_m, console);
   const navcore::FreeSpace space(document.map);
   const auto field = navcore::localizability_field(document.map, space, settings_,
                                                    console.progress("localizability"));

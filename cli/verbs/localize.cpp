@@ -4,6 +4,7 @@
 #include "cli/localize/recorded_localization.hpp"
 #include "cli/plan/places.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/blind_laser.hpp"
 #include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/laser_options.hpp"
@@ -228,6 +229,9 @@ ExitStatus Localize::run(Console& console) {
   const auto& start =
       recorded_ ? recorded_->settings.initial_pose : question_.settings.initial_pose;
   require_within(document.map.border, start);
+  warn_of_blind_laser(document.map,
+                      recorded_ ? recorded_->settings.height_m : question_.settings.laser.height_m,
+                      console);
   if (recorded_) {
     return localize_recorded(document.map, engine_, *recorded_,
                              {json_, threads_, required_percent_}, console);

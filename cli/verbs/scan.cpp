@@ -3,6 +3,7 @@
 
 #include "cli/plan/places.hpp"
 #include "cli/support/arguments.hpp"
+#include "cli/support/blind_laser.hpp"
 #include "cli/support/common_options.hpp"
 #include "cli/support/error.hpp"
 #include "cli/support/laser_options.hpp"
@@ -145,6 +146,7 @@ std::vector<Pose> ScanVerb::read_poses() const {
 
 ExitStatus ScanVerb::run(Console& console) {
   const MapDocument document = read_sound_map_file(map_path_);
+  warn_of_blind_laser(document.map, laser_.height_m, console);
   const std::vector<Pose> poses = read_poses();
   const navcore::FreeSpace space(document.map);
   const RayEngine engine(document.map, engine_);

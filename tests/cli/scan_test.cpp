@@ -45,6 +45,16 @@ class Scan : public testing::Test {
   std::string map_ = folder_.file("map.txt", kMap);
 };
 
+TEST_F(Scan, WarnsOfALaserThatOverlooksTheMap) {
+  const auto warning = [&](const std::string& height) {
+    return run({"scan", map_, "--pose", "0,0,0", "--laser-height", height}).err;
+  };
+  EXPECT_EQ(warning("2.999"), "");
+  EXPECT_EQ(warning("3"),
+            "mapwright: warning: nothing on the map is higher than the laser at 3 m "
+            "(--laser-height): its rays meet nothing, and scans tell nothing\n");
+}
+
 TEST_F(Scan, AnswersInJson) {
   const auto result = run({"scan", map_, "--pose", "0,0,0", "--rays", "3", "--format", "json"});
   ASSERT_EQ(result.status, 0) << result.err;
@@ -101,6 +111,19 @@ TEST_F(Scan, ReadsManyPosesFromATable) {
   EXPECT_EQ(scans[1]["ranges"], Json({3.0}));
   EXPECT_EQ(scans[2]["ranges"], Json({2.0}));
   EXPECT_EQ(scans[2]["pose"]["theta_deg"], 180.0);
+}
+
+TEST_F(Scan, SaysWhatASpreadsheetWroteThatIsNoTableOfNumbers) {
+  const auto complaint = [&](const std::string& table) {
+    const auto result = run({"scan", map_, "--poses", folder_.file("poses.csv", table)});
+    EXPECT_EQ(result.status, 3);
+    return result.err;
+  };
+  EXPECT_NE(complaint("x;y;theta_deg\n0;0;0\n").find("separated by commas, not semicolons"),
+            std::string::npos);
+  EXPECT_NE(complaint("0\t0\t0\n").find("separated by commas, not tabs"), std::string::npos);
+  EXPECT_NE(complaint("x,y,theta_deg\n\"0\",0,0\n").find("fields stand without quotes"),
+            std::string::npos);
 }
 
 TEST_F(Scan, NoiseDependsOnTheSeedAlone) {
