@@ -142,11 +142,13 @@ class DxfReader : public SourceReader {
     return count;
   }
 
-  // A block that is not there is told at the entity that inserts it, not at the one read next.
+  // A block that is not there is told at the entity that inserts it, not at the one read next. GDAL
+  // makes rings of 3DFACE and SOLID, which are closed by nature, and calls them open.
   void tell_losses(SourceFeature& feature) const {
     std::erase_if(feature.warnings, [&](const std::string& warning) {
-      return !lost_.empty() && warning.starts_with("Block ") &&
-             warning.ends_with(" does not exist");
+      const bool is_about_block =
+          warning.starts_with("Block ") && warning.ends_with(" does not exist");
+      return warning == "Non closed ring detected" || (is_about_block && !lost_.empty());
     });
     if (!feature.geometry.paths.empty() || !feature.broken.empty()) return;
     const auto* classes = text_of(feature, class_field_);

@@ -139,6 +139,7 @@ class LayerReader {
     if (!from) return false;
     feature.fid = from->GetFID();
     feature.broken.clear();
+    feature.lost.clear();
     feature.warnings.clear();
     feature.reencoded.clear();
     feature.geometry.clear();
@@ -146,7 +147,8 @@ class LayerReader {
     append_paths(from->GetGeometryRef(), sagitta_, feature.geometry);
     const auto& geometry = feature.geometry;
     if (geometry.paths.empty() && !geometry.unsupported.empty()) {
-      feature.broken = "no face of its " + geometry.unsupported + " covers any ground";
+      feature.broken =
+          "no face of its " + geometry.unsupported + " covers any ground or stands upright";
     }
     feature.selected = !has_condition_ || condition_.Evaluate(from.get()) != 0;
     return true;

@@ -14,13 +14,13 @@ class PathBuilder {
 
   void add(const OGRGeometry& geometry);
 
-  /// Whether anything is the ground that a surface in space covers, which has no heights.
-  bool has_footprints() const { return has_footprints_; }
+  /// Whether heights mean nothing: the ground that a surface in space covers has none.
+  bool is_flat() const { return has_footprints_ && !has_upright_faces_; }
 
  private:
   void add_point(const OGRPoint& point);
   void add_polygon(const OGRCurvePolygon& polygon);
-  bool add_footprint(const OGRGeometry& surface);
+  bool add_surface(const OGRPolyhedralSurface& surface);
   void add_curve_path(const OGRCurve& curve, PathRole role);
   void add_curve(const OGRCurve& curve, bool skip_first);
   void add_line(const OGRSimpleCurve& line, bool skip_first);
@@ -31,6 +31,7 @@ class PathBuilder {
   SourceGeometry& out_;
   bool curved_ = false;
   bool has_footprints_ = false;
+  bool has_upright_faces_ = false;
 };
 
 void PathBuilder::add_vertex(double x, double y, double z) {
@@ -97,13 +98,16 @@ void PathBuilder::add_polygon(const OGRCurvePolygon& polygon) {
   }
 }
 
-// A map has no third dimension: of a building in space the ground it covers.
-bool PathBuilder::add_footprint(const OGRGeometry& surface) {
-  const auto footprint = footprint_of(*surface.toPolyhedralSurface());
-  if (!footprint) return false;
-  has_footprints_ = true;
-  add(*footprint);
-  return true;
+// A map has no third dimension: of a building in space the ground it covers, and of what stands
+// beside that the faces, which become walls.
+bool PathBuilder::add_surface(const OGRPolyhedralSurface& surface) {
+  const auto footprint = footprint_of(surface);
+  const auto upright = upright_faces_beside(surface, footprint.get());
+  if (footprint) add(*footprint);
+  for (const auto* face : upright) add_polygon(*face);
+  has_footprints_ = has_footprints_ || footprint;
+  has_upright_faces_ = has_upright_faces_ || !upright.empty();
+  return footprint || !upright.empty();
 }
 
 void PathBuilder::add(const OGRGeometry& geometry) {
@@ -115,7 +119,8 @@ void PathBuilder::add(const OGRGeometry& geometry) {
     for (const auto* part : *geometry.toGeometryCollection()) add(*part);
     return;
   }
-  if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) && add_footprint(geometry)) return;
+  const bool is_surface = OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) != FALSE;
+  if (is_surface && add_surface(*geometry.toPolyhedralSurface())) return;
   out_.unsupported = geometry.getGeometryName();
 }
 
@@ -126,7 +131,7 @@ void append_paths(const OGRGeometry* geometry, double sagitta, SourceGeometry& p
   paths.type = geometry->getGeometryName();
   PathBuilder builder(sagitta, paths);
   builder.add(*geometry);
-  if (!geometry->Is3D() || builder.has_footprints()) paths.zs.clear();
+  if (!geometry->Is3D() || builder.is_flat()) paths.zs.clear();
 }
 
 }  // namespace mapwright::converter

@@ -60,7 +60,7 @@ struct FeatureHead {
 
 bool has_remarks(const SourceFeature& feature) {
   return !feature.geometry.unsupported.empty() || !feature.broken.empty() ||
-         !feature.warnings.empty() || !feature.reencoded.empty();
+         !feature.lost.empty() || !feature.warnings.empty() || !feature.reencoded.empty();
 }
 
 }  // namespace
@@ -105,6 +105,7 @@ void put(WireWriter& wire, const SourceFeature& feature, const std::vector<std::
   if (!head.has_remarks) return;
   wire.put(geometry.unsupported);
   wire.put(feature.broken);
+  wire.put(feature.lost);
   wire.put(feature.warnings);
   wire.put(feature.reencoded);
 }
@@ -149,11 +150,13 @@ void get(WireReader& wire, SourceFeature& feature, const std::vector<std::uint32
   for (const auto i : values) get_value(wire, feature.values[i]);
   geometry.unsupported.clear();
   feature.broken.clear();
+  feature.lost.clear();
   feature.warnings.clear();
   feature.reencoded.clear();
   if (!head.has_remarks) return;
   wire.get(geometry.unsupported);
   wire.get(feature.broken);
+  wire.get(feature.lost);
   wire.get(feature.warnings);
   wire.get(feature.reencoded);
 }
@@ -165,6 +168,7 @@ void put(WireWriter& wire, const std::vector<LayerInfo>& layers) {
     wire.put(layer.fields);
     wire.put(layer.geometry);
     put_crs(wire, layer.crs);
+    wire.put(layer.several_crs);
     wire.put(layer.declared_features);
     wire.put(layer.metres_per_local_unit);
     wire.put(layer.lacks_attributes);
@@ -183,6 +187,7 @@ void get(WireReader& wire, std::vector<LayerInfo>& layers) {
     wire.get(layer.fields);
     wire.get(layer.geometry);
     get_crs(wire, layer.crs);
+    wire.get(layer.several_crs);
     wire.get(layer.declared_features);
     wire.get(layer.metres_per_local_unit);
     wire.get(layer.lacks_attributes);

@@ -86,7 +86,12 @@ class Chainer {
       segments.resize(before);
       return false;
     }
-    joined.features.insert(joined.features.end(), piece.features.begin(), piece.features.end());
+    // A feature may have several lines.
+    auto& features = joined.features;
+    for (const auto account : piece.features) {
+      const bool is_known = std::find(features.begin(), features.end(), account) != features.end();
+      if (!is_known) features.push_back(account);
+    }
     return true;
   }
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "converter/pipeline/outlines.hpp"
-#include "converter/pipeline/walls.hpp"
 #include "converter/source/geometry_parts.hpp"
 #include "mapcore/text/writer.hpp"
 
@@ -34,12 +32,6 @@ std::string label_of(const std::string& layer) {
   std::string label = sanitized_semantic(layer);
   std::replace(label.begin(), label.end(), ',', ' ');
   return label;
-}
-
-Box extent_of(const SourceGeometry& geometry) {
-  Box box = kEmptyBox;
-  for (std::size_t i = 0; i < geometry.xs.size(); ++i) box.add({geometry.xs[i], geometry.ys[i]});
-  return box;
 }
 
 bool meet(const Box& p, const Box& q) {
@@ -144,6 +136,7 @@ void LayerConverter::convert_parts(const SourceFeature& feature, std::size_t acc
     is_built = is_built || outcome != Outcome::kDropped;
     is_changed = is_changed || outcome != Outcome::kWritten;
     part.warnings.clear();  // told once
+    part.lost.clear();
   }
   outcome = !is_built ? Outcome::kDropped : is_changed ? Outcome::kChanged : Outcome::kWritten;
 }
@@ -177,6 +170,9 @@ bool LayerConverter::selects(const SourceFeature& feature, std::size_t account) 
     return false;
   }
   for (const auto& warning : feature.warnings) ledger.change(account, FindingCode::C224, warning);
+  if (!feature.lost.empty() && (would_build(feature) || fits_building(feature))) {
+    ledger.change(account, FindingCode::C229, feature.lost);
+  }
   if (!feature.broken.empty()) {
     // Only what a rule would have made something of is lost.
     if (would_build(feature) || interprets(feature, account)) {
@@ -213,6 +209,11 @@ bool LayerConverter::would_build(const SourceFeature& feature) {
   };
   return builds(GeometryKind::kPolygon) || builds(GeometryKind::kLine) ||
          builds(GeometryKind::kPoint);
+}
+
+bool LayerConverter::fits_building(const SourceFeature& feature) {
+  rules_.interpret(feature, geometry_kind(feature.geometry), meaning_);
+  return meaning_.rule != nullptr && meaning_.rule->kind != FeatureKind::kIgnore;
 }
 
 // Whether a rule makes something of it.
@@ -280,10 +281,21 @@ bool LayerConverter::places_nearby(SourceGeometry& geometry) {
   return true;
 }
 
+// Heights come in the unit of the plane; beside degrees they are metres.
+void LayerConverter::take_heights_in_metres(SourceGeometry& geometry) const {
+  const double local_m = options_.local_unit_m.value_or(job_.info().metres_per_local_unit);
+  const double unit_m = !job_.crs.is_stated() ? local_m
+                        : job_.crs.geographic ? 1.0
+                                              : job_.crs.metres_per_unit;
+  if (unit_m == 1.0) return;
+  for (double& z : geometry.zs) z *= unit_m;
+}
+
 // Takes the geometry into the map frame.
 bool LayerConverter::places(SourceFeature& feature, std::size_t account) {
   auto& geometry = feature.geometry;
   auto& ledger = workspace_.ledger;
+  take_heights_in_metres(geometry);
   if (places_nearby(geometry)) return true;
   if (!all_finite(geometry)) {
     ledger.drop(account, FindingCode::C205, "a coordinate is infinite or not a number");
@@ -358,37 +370,6 @@ void LayerConverter::tell_about_values(const SourceFeature& feature, std::size_t
       Semantic(meaning_.semantic)
           .with_value(semantic_key::kSource, layer_label_ + ":" + std::to_string(feature.fid))
           .view());
-}
-
-void LayerConverter::build(const FeatureTask& task) {
-  switch (task.meaning.rule->kind) {
-    case FeatureKind::kObstacle:
-      exchange_.load(task.feature);
-      return exported_.add(task, exchange_, job_.place);
-    case FeatureKind::kSolid:
-    case FeatureKind::kRoom:
-      return add_solid(task, workspace_);
-    case FeatureKind::kWall:
-      return add_wall(task, workspace_);
-    case FeatureKind::kRamp:
-      return ramps_.add(task);
-    case FeatureKind::kStairs:
-      return stairs_.add_stairs(task, job_.place);
-    case FeatureKind::kSteps:
-      if (!task.meaning.stair_id.empty()) return stairs_.add_step(task, job_.place);
-      workspace_.ledger.remark(task.account, FindingCode::C217,
-                               "a step without stair id: written as a low wall");
-      return add_wall(task, task.meaning.rise_m.value_or(workspace_.settings.rise_m), workspace_);
-    case FeatureKind::kBorder: {
-      const Box box = extent_of(task.feature.geometry);
-      workspace_.border.add({box.min_x, box.min_y});
-      workspace_.border.add({box.max_x, box.max_y});
-      return workspace_.ledger.remark(task.account, FindingCode::C227,
-                                      "its extent is the map's border");
-    }
-    case FeatureKind::kIgnore:
-      return;
-  }
 }
 
 }  // namespace mapwright::converter

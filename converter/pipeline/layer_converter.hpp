@@ -6,6 +6,7 @@
 #include "converter/pipeline/ramps.hpp"
 #include "converter/pipeline/sources.hpp"
 #include "converter/pipeline/stairs.hpp"
+#include "converter/pipeline/upright_faces.hpp"
 #include "converter/pipeline/workspace.hpp"
 
 namespace mapwright::converter {
@@ -29,6 +30,7 @@ class LayerConverter {
   bool is_exported_obstacle(const SourceFeature& feature);
   bool selects(const SourceFeature& feature, std::size_t account);
   bool would_build(const SourceFeature& feature);
+  bool fits_building(const SourceFeature& feature);
   bool interprets(const SourceFeature& feature, std::size_t account);
   void place_exactly(std::span<double> xs, std::span<double> ys);
   void place(SourceGeometry& geometry);
@@ -37,6 +39,8 @@ class LayerConverter {
   bool keeps(const SourceFeature& feature, std::size_t account);
   void tell_about_values(const SourceFeature& feature, std::size_t account);
   void build(const FeatureTask& task);
+  void build_with_upright_faces(const FeatureTask& task, const std::vector<UprightFace>& faces);
+  void take_heights_in_metres(SourceGeometry& geometry) const;
   bool check_degrees(const SourceFeature& feature);
 
   const ConvertOptions& options_;

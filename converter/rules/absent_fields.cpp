@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "converter/rules/field.hpp"
+#include "converter/rules/rule_values.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -16,49 +17,28 @@ struct Wanted {
   Names fields;
 };
 
-Names fields_of(const Quantity& quantity) {
-  Names names;
-  for (const auto& term : quantity.terms) {
-    if (!term.field.empty()) names.push_back(term.field);
-  }
-  return names;
+// Of alternatives one will do; each field of a label is wanted by itself.
+void append_wanted(const std::string& what, const SemanticTemplate& semantic,
+                   std::vector<Wanted>& wanted) {
+  for (auto& name : fields_of(semantic)) wanted.push_back({what, {std::move(name)}});
 }
 
-Names placeholders_of(const std::string& text) {
-  Names names;
-  for (auto at = text.find('{'); at != text.npos; at = text.find('{', at + 1)) {
-    const auto end = text.find('}', at);
-    if (end == text.npos) break;
-    const auto name = text.substr(at + 1, end - at - 1);
-    if (name != "layer") names.push_back(name);
-  }
-  return names;
+template <class Value>
+void append_wanted(const std::string& what, const Value& value, std::vector<Wanted>& wanted) {
+  wanted.push_back({what, fields_of(value)});
 }
 
 std::vector<Wanted> wanted_by(const Rule& rule) {
-  std::vector<Wanted> wanted{{"height", fields_of(rule.height)},
-                             {"base_height", fields_of(rule.base_height)},
-                             {"radius", fields_of(rule.radius)},
-                             {"rise", fields_of(rule.rise)},
-                             {"width", fields_of(rule.width)},
-                             {"steps", fields_of(rule.steps)},
-                             {"slope", fields_of(rule.slope)},
-                             {"aspect", fields_of(rule.aspect)},
-                             {"stair_id", rule.stair_id},
-                             {"step_no", rule.step_no},
-                             {"direction", rule.direction},
-                             {"normal", rule.normal_x},
-                             {"in_out", rule.in_out}};
-  std::erase_if(wanted.back().fields,
-                [](const std::string& name) { return name == "indoor" || name == "outdoor"; });
+  std::vector<Wanted> wanted;
+  for_each_value(rule,
+                 [&](const char* key, const auto& value) { append_wanted(key, value, wanted); });
+  for_each_axis_of_normal(rule, [&](const char* axis, const auto& names) {
+    append_wanted(std::string("normal ") + axis, names, wanted);
+  });
   for (const auto& condition : rule.where) {
     if (condition.test == Condition::Test::kAbsent) continue;
     wanted.push_back({"condition", {condition.field}});
   }
-  for (const auto& name : placeholders_of(rule.semantic.text))
-    wanted.push_back({"semantic", {name}});
-  for (const auto& name : placeholders_of(rule.segment_semantic.text))
-    wanted.push_back({"segment_semantic", {name}});
   return wanted;
 }
 

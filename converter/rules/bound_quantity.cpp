@@ -37,7 +37,8 @@ std::optional<double> read_slope(const Field& field, const SourceFeature& featur
 }  // namespace
 
 BoundQuantity::BoundQuantity(const Quantity& quantity, const std::vector<std::string>& layer_fields,
-                             const RuleSettings& settings) {
+                             const RuleSettings& settings)
+    : begins_with_field_(!quantity.empty() && !quantity.terms.front().constant) {
   for (const auto& term : quantity.terms) {
     Term bound;
     bound.constant = term.constant;
@@ -51,17 +52,26 @@ BoundQuantity::BoundQuantity(const Quantity& quantity, const std::vector<std::st
   }
 }
 
-std::optional<double> BoundQuantity::evaluate_terms(const SourceFeature& feature,
-                                                    std::vector<std::string>& unreadable) const {
+bool BoundQuantity::evaluate_terms(const SourceFeature& feature,
+                                   std::vector<std::string>& unreadable,
+                                   std::optional<double>& value) const {
   for (const auto& term : terms_) {
-    if (term.constant) return term.constant;
-    const auto value = term.slope ? read_slope(term.field, feature, unreadable)
-                                  : read(term.field, term.factor, feature, unreadable);
+    if (term.constant) {
+      value = term.constant;
+      return begins_with_field_;
+    }
+    value = term.slope ? read_slope(term.field, feature, unreadable)
+                       : read(term.field, term.factor, feature, unreadable);
     if (!value) continue;
-    if (!term.has_minus) return value;
-    if (const auto less = read(term.minus, term.factor, feature, unreadable)) return *value - *less;
+    if (!term.has_minus) return false;
+    const auto less = read(term.minus, term.factor, feature, unreadable);
+    if (less) {
+      *value -= *less;
+      return false;
+    }
   }
-  return std::nullopt;
+  value.reset();
+  return false;
 }
 
 std::string BoundQuantity::describe() const {

@@ -18,10 +18,11 @@ class BoundQuantity {
 
   /// Puts the first term with a value into `value`: metres (or plain numbers, for quantities that
   /// are no lengths). Texts that are no quantity are added to `unreadable`. Most quantities have no
-  /// term in most layers, and leave `value` as it is.
-  void evaluate(const SourceFeature& feature, std::vector<std::string>& unreadable,
+  /// term in most layers, and leave `value` as it is. True where the rule's number stands in for
+  /// fields without a value.
+  bool evaluate(const SourceFeature& feature, std::vector<std::string>& unreadable,
                 std::optional<double>& value) const {
-    if (!terms_.empty()) value = evaluate_terms(feature, unreadable);
+    return !terms_.empty() && evaluate_terms(feature, unreadable, value);
   }
 
   /// "height, top_z − base_z, 2.5": the terms this layer has.
@@ -29,8 +30,8 @@ class BoundQuantity {
   void append_fields(std::vector<std::string>& names) const;
 
  private:
-  std::optional<double> evaluate_terms(const SourceFeature& feature,
-                                       std::vector<std::string>& unreadable) const;
+  bool evaluate_terms(const SourceFeature& feature, std::vector<std::string>& unreadable,
+                      std::optional<double>& value) const;
 
   struct Term {
     std::optional<double> constant;
@@ -40,6 +41,7 @@ class BoundQuantity {
     double factor = 1.0;
   };
   std::vector<Term> terms_;
+  bool begins_with_field_ = false;  // in the rule, whether the layer has it or not
 };
 
 }  // namespace mapwright::converter

@@ -77,7 +77,7 @@ BoundRule::BoundRule(const Rule& rule, const LayerInfo& layer, const RuleSetting
       segment_semantic_(rule.segment_semantic, layer.fields, layer.name),
       stair_id_(existing_fields(layer.fields, rule.stair_id)),
       step_no_(existing_fields(layer.fields, rule.step_no)),
-      direction_(existing_fields(layer.fields, rule.direction)),
+      direction_(existing_fields(layer.fields, rule.direction.fields)),
       normal_x_(existing_fields(layer.fields, rule.normal_x)),
       normal_y_(existing_fields(layer.fields, rule.normal_y)),
       normal_z_(existing_fields(layer.fields, rule.normal_z)) {
@@ -114,7 +114,8 @@ InOut BoundRule::in_out_named(const std::string& value) const {
 }
 
 void BoundRule::read_direction(const SourceFeature& feature, Meaning& meaning) const {
-  if (rule_->constant_direction_deg) meaning.direction_deg = rule_->constant_direction_deg;
+  const auto& constant_deg = rule_->direction.constant_deg;
+  if (constant_deg) meaning.direction_deg = constant_deg;
   if (direction_.empty()) return;
   const std::string word = folded(first_text(direction_, feature));
   if (word == "up") meaning.upwards = true;
@@ -139,7 +140,7 @@ void BoundRule::read(const SourceFeature& feature, SemanticScratch& scratch,
                      Meaning& meaning) const {
   meaning.clear();
   meaning.rule = rule_;
-  height_.evaluate(feature, meaning.unreadable, meaning.height_m);
+  meaning.height_is_fallback = height_.evaluate(feature, meaning.unreadable, meaning.height_m);
   base_height_.evaluate(feature, meaning.unreadable, meaning.base_height_m);
   radius_.evaluate(feature, meaning.unreadable, meaning.radius_m);
   rise_.evaluate(feature, meaning.unreadable, meaning.rise_m);

@@ -13,6 +13,7 @@ namespace mapwright::converter {
 struct Meaning {
   const Rule* rule = nullptr;  ///< null: no rule fits
   std::optional<double> height_m, base_height_m, radius_m, rise_m, width_m;
+  bool height_is_fallback = false;  ///< the rule's number stands in for fields without a value
   std::optional<double> steps, step_no;
   std::string stair_id;
   std::optional<double> direction_deg;  ///< upwards, clockwise from the source grid's north
@@ -32,6 +33,7 @@ struct Meaning {
                         &direction_deg, &slope_deg, &aspect_deg}) {
       value->reset();
     }
+    height_is_fallback = false;
     stair_id.clear();
     upwards.reset();
     normal.reset();

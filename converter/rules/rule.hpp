@@ -43,6 +43,15 @@ struct Quantity {
   bool empty() const { return terms.empty(); }
 };
 
+/// The steepness of a ramp, degrees.
+struct SlopeQuantity : Quantity {};
+
+/// Upwards, clockwise from the source grid's north.
+struct Direction {
+  std::vector<std::string> fields;  ///< the first with a value counts
+  std::optional<double> constant_deg;
+};
+
 /// A text with {field} in it; tokens whose fields are empty vanish.
 struct SemanticTemplate {
   std::string text;
@@ -71,10 +80,11 @@ struct Rule {
   SemanticTemplate semantic, segment_semantic;
   std::string reason;
 
-  std::vector<std::string> stair_id, step_no, direction;  ///< fields, the first with a value counts
-  std::optional<double> constant_direction_deg;
+  std::vector<std::string> stair_id, step_no;  ///< fields, the first with a value counts
+  Direction direction;
   std::vector<std::string> normal_x, normal_y, normal_z;
-  Quantity slope, aspect;
+  SlopeQuantity slope;
+  Quantity aspect;
   NormalAxes axes = NormalAxes::kAuto;
 
   int line = 0;  ///< in the rules file, 1-based

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "converter/rules/rule_values.hpp"
 #include "converter/rules/yaml_access.hpp"
 
 namespace mapwright::converter {
@@ -74,16 +75,37 @@ void append_terms(const YAML::Node& node, Quantity& quantity) {
   for (const auto& item : node) append_terms(item, quantity);
 }
 
-Quantity read_quantity(const YAML::Node& node) {
-  Quantity quantity;
+void read_value(const YAML::Node& node, Quantity& quantity) {
+  quantity = {};
   append_terms(node, quantity);
-  return quantity;
 }
 
-Quantity read_slope(const YAML::Node& node) {
-  Quantity slope = read_quantity(node);
+void read_value(const YAML::Node& node, SlopeQuantity& slope) {
+  read_value(node, static_cast<Quantity&>(slope));
   for (auto& term : slope.terms) term.slope = true;
-  return slope;
+}
+
+void read_value(const YAML::Node& node, Direction& direction) {
+  if (node.IsScalar() && looks_like_number(node.Scalar())) {
+    direction.constant_deg = yaml_number(node);
+  } else {
+    direction.fields = yaml_texts(node);
+  }
+}
+
+void read_value(const YAML::Node& node, std::vector<std::string>& fields) {
+  fields = yaml_texts(node);
+}
+
+void read_value(const YAML::Node& node, SemanticTemplate& semantic) {
+  semantic.text = yaml_text(node);
+}
+
+// For for_each_value: a reader for each key.
+auto append_reader(std::vector<KeyReader>& keys) {
+  return [&keys](const char* key, auto& value) {
+    keys.push_back({key, [&value](const YAML::Node& node) { read_value(node, value); }});
+  };
 }
 
 struct Comparison {
@@ -168,56 +190,29 @@ NormalAxes read_axes(const YAML::Node& node) {
 }
 
 void read_normal(const YAML::Node& node, Rule& rule) {
-  read_keys(node, "normal",
-            {{"x", [&](const auto& n) { rule.normal_x = yaml_texts(n); }},
-             {"y", [&](const auto& n) { rule.normal_y = yaml_texts(n); }},
-             {"z", [&](const auto& n) { rule.normal_z = yaml_texts(n); }}});
-}
-
-void read_direction(const YAML::Node& node, Rule& rule) {
-  if (node.IsScalar() && looks_like_number(node.Scalar())) {
-    rule.constant_direction_deg = yaml_number(node);
-  } else {
-    rule.direction = yaml_texts(node);
-  }
+  std::vector<KeyReader> keys;
+  for_each_axis_of_normal(rule, append_reader(keys));
+  read_keys(node, "normal", keys);
 }
 
 Rule read_rule(const YAML::Node& node) {
   Rule rule;
   rule.line = node.Mark().line + 1;
   bool has_kind = false;
-  const auto quantity = [](Quantity& target) {
-    return [&target](const YAML::Node& n) { target = read_quantity(n); };
-  };
-  const auto texts = [](std::vector<std::string>& target) {
-    return [&target](const YAML::Node& n) { target = yaml_texts(n); };
-  };
   const auto text = [](std::string& target) {
     return [&target](const YAML::Node& n) { target = yaml_text(n); };
   };
-  read_keys(node, "a rule",
-            {{"name", text(rule.name)},
-             {"layer", [&](const auto& n) { rule.layers = patterns(n); }},
-             {"geometry", [&](const auto& n) { rule.geometries = read_geometries(n); }},
-             {"where", [&](const auto& n) { rule.where = read_where(n); }},
-             {"kind", [&](const auto& n) { rule.kind = read_kind(n), has_kind = true; }},
-             {"height", quantity(rule.height)},
-             {"base_height", quantity(rule.base_height)},
-             {"radius", quantity(rule.radius)},
-             {"rise", quantity(rule.rise)},
-             {"width", quantity(rule.width)},
-             {"steps", quantity(rule.steps)},
-             {"in_out", texts(rule.in_out)},
-             {"semantic", text(rule.semantic.text)},
-             {"segment_semantic", text(rule.segment_semantic.text)},
-             {"reason", text(rule.reason)},
-             {"stair_id", texts(rule.stair_id)},
-             {"step_no", texts(rule.step_no)},
-             {"direction", [&](const auto& n) { read_direction(n, rule); }},
-             {"normal", [&](const auto& n) { read_normal(n, rule); }},
-             {"slope", [&](const auto& n) { rule.slope = read_slope(n); }},
-             {"aspect", quantity(rule.aspect)},
-             {"axes", [&](const auto& n) { rule.axes = read_axes(n); }}});
+  std::vector<KeyReader> keys{
+      {"name", text(rule.name)},
+      {"layer", [&](const auto& n) { rule.layers = patterns(n); }},
+      {"geometry", [&](const auto& n) { rule.geometries = read_geometries(n); }},
+      {"where", [&](const auto& n) { rule.where = read_where(n); }},
+      {"kind", [&](const auto& n) { rule.kind = read_kind(n), has_kind = true; }},
+      {"reason", text(rule.reason)},
+      {"normal", [&](const auto& n) { read_normal(n, rule); }},
+      {"axes", [&](const auto& n) { rule.axes = read_axes(n); }}};
+  for_each_value(rule, append_reader(keys));
+  read_keys(node, "a rule", keys);
   if (!has_kind) fail_at(node, "a rule without 'kind'");
   return rule;
 }

@@ -44,4 +44,10 @@ GeometryKind geometry_kind(const SourceGeometry& geometry) {
   return kind;
 }
 
+Box extent_of(const SourceGeometry& geometry) {
+  Box box = kEmptyBox;
+  for (std::size_t i = 0; i < geometry.xs.size(); ++i) box.add({geometry.xs[i], geometry.ys[i]});
+  return box;
+}
+
 }  // namespace mapwright::converter

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "mapcore/point.hpp"
+
 namespace mapwright::converter {
 
 /// A field's value; monostate where the feature has none.
@@ -53,6 +55,7 @@ struct SourceFeature {
   std::vector<FieldValue> values;  ///< by LayerInfo::fields
   SourceGeometry geometry;
   std::string broken;                 ///< why its geometry cannot be read; empty for sound features
+  std::string lost;                   ///< what else it has that cannot be read; empty if nothing
   bool selected = true;               ///< false: `--where` does not hold for it
   std::vector<std::string> warnings;  ///< what the driver said while reading it
   std::vector<std::string>
@@ -66,5 +69,8 @@ std::string_view to_string(GeometryKind kind);
 
 /// What a feature's paths are: kMixed for a collection of several kinds.
 GeometryKind geometry_kind(const SourceGeometry& geometry);
+
+/// Box around all coordinates.
+Box extent_of(const SourceGeometry& geometry);
 
 }  // namespace mapwright::converter

@@ -21,6 +21,7 @@ struct LayerInfo {
   GeometryKind geometry =
       GeometryKind::kMixed;  ///< declared; kMixed where the layer leaves it open
   Crs crs;
+  std::string several_crs;              ///< names, where its features are not in one CRS
   std::int64_t declared_features = -1;  ///< negative where only reading tells
   double metres_per_local_unit = 1.0;   ///< of coordinates without CRS
   bool lacks_attributes = false;        ///< they are gone, not merely none

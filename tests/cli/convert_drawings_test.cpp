@@ -1,6 +1,8 @@
 // `mapwright convert` on DXF drawings: what GDAL reads of them, and what it passes over.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "mapcore/text/reader.hpp"
@@ -83,6 +85,100 @@ TEST_F(Drawings, EntitiesThatShowNothingSolidAreNamed) {
       << made.err;
   const auto ignored = convert(drawing_with("0\n3DSOLID\n8\nDIMENSIONS\n70\n1\n"));
   EXPECT_EQ(ignored.status, 0) << ignored.err;
+}
+
+using Corners = std::vector<std::array<double, 3>>;
+
+std::string group(int code, double value) {
+  return std::to_string(code) + "\n" + std::to_string(value) + "\n";
+}
+
+std::string face_3d(const Corners& corners) {
+  std::string text = "0\n3DFACE\n8\nWALLS\n";
+  for (int i = 0; i < 4; ++i) {
+    const auto& corner = corners[std::min<std::size_t>(i, corners.size() - 1)];
+    text += group(10 + i, corner[0]) + group(20 + i, corner[1]) + group(30 + i, corner[2]);
+  }
+  return text;
+}
+
+std::string polyline_3d(const Corners& corners) {
+  std::string text = "0\nPOLYLINE\n8\nWALLS\n66\n1\n70\n9\n";
+  for (const auto& corner : corners) {
+    text += "0\nVERTEX\n8\nWALLS\n" + group(10, corner[0]) + group(20, corner[1]) +
+            group(30, corner[2]) + "70\n32\n";
+  }
+  return text + "0\nSEQEND\n8\nWALLS\n";
+}
+
+const Corners kUpright{{0, 7, 1}, {4, 10, 1}, {4, 10, 3.5}, {0, 7, 3.5}};
+
+// The wall of what `entities` says stands before the drawing's own.
+void expect_upright_wall(const Map& map, Point a, Point b, double height_m) {
+  ASSERT_EQ(map.obstacles.size(), 2U);
+  const auto& wall = map.obstacles[0];
+  EXPECT_EQ(wall.shape_type, ShapeType::kOpenPolygon);
+  ASSERT_EQ(wall.segments.size(), 1U);
+  EXPECT_EQ(wall.segments[0].a, a);
+  EXPECT_EQ(wall.segments[0].b, b);
+  EXPECT_DOUBLE_EQ(wall.segments[0].height_m, height_m);
+}
+
+TEST_F(Drawings, UprightFacesAreWallsAsHighAsTheyStand) {
+  const std::string upright[] = {face_3d(kUpright), polyline_3d(kUpright)};
+  for (const auto& entity : upright) {
+    const auto made = convert(drawing_with(entity));
+    ASSERT_EQ(made.status, 0) << made.err;
+    expect_upright_wall(map(), {0, 7}, {4, 10}, 2.5);
+    const auto feature = json::parse(content(folder_.path("r.json")))["features"][0];
+    EXPECT_EQ(feature["outcome"], "written") << feature;
+    EXPECT_EQ(feature["reasons"][0]["code"], "C232") << feature;
+    EXPECT_EQ(feature["reasons"][0]["message"],
+              "a face stands upright: a wall along its footprint, 2.5 m high");
+  }
+  // A gable, whose top lies over the middle of its foot.
+  ASSERT_EQ(convert(drawing_with(face_3d({{0, 7, 0}, {4, 10, 0}, {2, 8.5, 2}}))).status, 0);
+  expect_upright_wall(map(), {0, 7}, {4, 10}, 2.0);
+}
+
+TEST_F(Drawings, HeightsOfUprightFacesAreInTheUnitOfTheDrawing) {
+  Corners in_mm = kUpright;
+  for (auto& corner : in_mm) {
+    for (auto& number : corner) number *= 1000.0;
+  }
+  ASSERT_EQ(convert(drawing_with(face_3d(in_mm)), {"--local-unit", "0.001"}).status, 0);
+  const auto wall = map().obstacles.front();
+  EXPECT_EQ(wall.segments[0].b, (Point{4, 10}));
+  EXPECT_DOUBLE_EQ(wall.segments[0].height_m, 2.5);
+}
+
+// A mesh of two walls, and the same with a floor under it that has one of them at its edge.
+TEST_F(Drawings, FacesOfMeshesThatCoverNoGroundAreWalls) {
+  const Corners corners{{0, 7, 0}, {5, 7, 0},  {5, 12, 0}, {0, 12, 0}, {0, 7, 3},
+                        {5, 7, 3}, {9, 12, 0}, {9, 12, 3}, {5, 12, 3}};
+  const auto mesh = [&](const std::vector<std::array<int, 4>>& faces) {
+    std::string text =
+        "0\nPOLYLINE\n8\nWALLS\n66\n1\n70\n64\n71\n9\n72\n" + std::to_string(faces.size()) + "\n";
+    for (const auto& corner : corners) {
+      text += "0\nVERTEX\n8\nWALLS\n100\nAcDbVertex\n100\nAcDbPolyFaceMeshVertex\n" +
+              group(10, corner[0]) + group(20, corner[1]) + group(30, corner[2]) + "70\n192\n";
+    }
+    for (const auto& face : faces) {
+      text += "0\nVERTEX\n8\nWALLS\n100\nAcDbFaceRecord\n10\n0\n20\n0\n30\n0\n70\n128\n";
+      for (int i = 0; i < 4; ++i) {
+        text += std::to_string(71 + i) + "\n" + std::to_string(face[i]) + "\n";
+      }
+    }
+    return text + "0\nSEQEND\n8\nWALLS\n";
+  };
+  const std::array<int, 4> south{1, 2, 6, 5}, floor{1, 2, 3, 4}, wing{3, 7, 8, 9};
+  ASSERT_EQ(convert(drawing_with(mesh({south, wing}))).status, 0);
+  ASSERT_EQ(map().obstacles.size(), 3U) << "two walls and the drawing's own";
+  EXPECT_DOUBLE_EQ(map().obstacles[0].segments[0].height_m, 3.0);
+  ASSERT_EQ(convert(drawing_with(mesh({south, floor}))).status, 0);
+  ASSERT_EQ(map().obstacles.size(), 2U) << "the wall is the floor's edge";
+  ASSERT_EQ(convert(drawing_with(mesh({south, floor, wing}))).status, 0);
+  EXPECT_EQ(map().obstacles.size(), 3U) << "the wing stands beside the floor";
 }
 
 }  // namespace

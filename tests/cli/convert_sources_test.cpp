@@ -262,12 +262,14 @@ TEST_F(Sources, SurfacesInSpaceBecomeTheGroundTheyCover) {
   EXPECT_EQ(feature(0)["outcome"], "written");
 }
 
-// One wall alone covers no ground.
-TEST_F(Sources, SurfacesThatCoverNoGroundAreLost) {
-  const std::string wall = "POLYHEDRALSURFACE Z(((0 0 0,8 1 0,8 1 3,0 0 3,0 0 0)))";
-  const auto refused = convert("a.csv", "id,WKT\n1,\"" + wall + "\"\n2,\"" + kSquare + "\"\n");
-  EXPECT_EQ(refused.status, 3) << refused.err;
-  EXPECT_EQ(feature(0)["reasons"][0]["code"], "C229");
+// Neither ground nor air is under these faces.
+TEST_F(Sources, SurfacesWithoutAFaceAreLost) {
+  for (const std::string faces : {"Z(((0 0 0,4 0 1,8 0 2,0 0 0)))", "(((0 0,8 1,8 1,0 0)))"}) {
+    const auto refused =
+        convert("a.csv", "id,WKT\n1,\"POLYHEDRALSURFACE " + faces + "\"\n2,\"" + kSquare + "\"\n");
+    EXPECT_EQ(refused.status, 3) << refused.err;
+    EXPECT_EQ(feature(0)["reasons"][0]["code"], "C229") << faces;
+  }
 }
 
 std::string drawing(const std::string& layer) {

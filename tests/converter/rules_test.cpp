@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <set>
+#include <sstream>
+
+#include "converter/rules/absent_fields.hpp"
 #include "converter/rules/layer_rules.hpp"
 #include "converter/rules/length_text.hpp"
+#include "converter/rules/rule_fields.hpp"
 #include "converter/rules/rule_reader.hpp"
 
 namespace mapwright::converter {
@@ -27,6 +32,40 @@ TEST(Rules, NameThePlaceOfMistakes) {
   EXPECT_EQ(mistake("mapwright_rules: 1\nrules:\n- name: x\n")
                 .rfind("r.yaml:3:3: error: a rule without 'kind'", 0),
             0U);
+}
+
+// What the reader knows, by what it says of a key that it does not know.
+std::vector<std::string> keys_of_rules() {
+  const auto said = mistake("mapwright_rules: 1\nrules:\n- kind: wall\n  hight: 3\n");
+  std::istringstream list(said.substr(said.find("the keys are ") + 13));
+  std::vector<std::string> keys;
+  for (std::string key; std::getline(list >> std::ws, key, ',');) keys.push_back(key);
+  return keys;
+}
+
+// A key that takes fields is looked for in layers, whichever it is.
+TEST(Rules, NamesThatNoLayerHasAreToldForEveryKey) {
+  const std::set<std::string> without_fields{"name", "layer",  "geometry", "where",
+                                             "kind", "reason", "normal",   "axes"};
+  LayerInfo layer;
+  layer.name = "walls";
+  layer.fields = {"height"};
+  std::size_t tried = 0;
+  for (const auto& key : keys_of_rules()) {
+    if (without_fields.count(key) > 0) continue;
+    const bool is_text = key.ends_with("semantic");
+    const auto set = read_rules("mapwright_rules: 1\nrules:\n- kind: ramp\n  " + key + ": " +
+                                    (is_text ? "\"{nowhere}\"" : "nowhere") + "\n",
+                                "r.yaml");
+    ASSERT_TRUE(set) << key;
+    EXPECT_TRUE(rules_read_fields(*set, "walls")) << key;
+    const auto absent = absent_fields(*set, {&layer});
+    ASSERT_EQ(absent.size(), 1U) << key;
+    EXPECT_NE(absent[0].find("takes its " + key + " from 'nowhere'"), std::string::npos)
+        << absent[0];
+    ++tried;
+  }
+  EXPECT_EQ(tried, 14U);
 }
 
 TEST(Rules, BuiltInSetsAreSound) {
