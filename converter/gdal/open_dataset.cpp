@@ -13,6 +13,7 @@
 #include "converter/gdal/shapefile_check.hpp"
 #include "converter/gdal/shapefile_index.hpp"
 #include "converter/gdal/stored_file.hpp"
+#include "converter/gdal/tab_check.hpp"
 #include "mapcore/text/encoding.hpp"
 
 namespace mapwright::converter {
@@ -133,6 +134,9 @@ Result<OpenedDataset> open_dataset(const GdalInput& input, const DriverNotice& n
   if (!readable) return tl::unexpected(readable.error());
   if (auto checked = check_shapefiles(input, *readable, opened); !checked) {
     return tl::unexpected(checked.error());
+  }
+  if (const auto missing = missing_beside_tab(*readable)) {
+    return input_failure(input.title + ": cannot be read: " + *missing);
   }
   if (mif_lacks_values(*readable)) opened.bare_layers.push_back(readable->stem().string());
   GdalMessages messages;

@@ -3,6 +3,8 @@
 #include "converter/gdal/csv_reader.hpp"
 #include "converter/gdal/dxf_reader.hpp"
 #include "converter/gdal/geojson_reader.hpp"
+#include "converter/gdal/gml_features.hpp"
+#include "converter/gdal/kml_features.hpp"
 #include "converter/gdal/xml_coordinates.hpp"
 #include "converter/indoorgml/indoorgml_reader.hpp"
 #include "converter/osm/osm_reader.hpp"
@@ -29,6 +31,8 @@ OpenedReader open_single(const GdalInput& input, const DriverNotice& notice) {
       return input_failure(input.title + ": cannot be read: " + *word);
     }
   }
+  if (driver == "LIBKML") return with_told_elements(*std::move(reader), input.path, input.title);
+  if (driver == "GML") return with_told_geometries(*std::move(reader), input.path);
   return reader;
 }
 

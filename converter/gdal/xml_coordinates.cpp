@@ -1,23 +1,12 @@
 #include "converter/gdal/xml_coordinates.hpp"
 
-#include <expat.h>
-
-#include <array>
 #include <charconv>
-#include <cstdint>
-#include <memory>
 #include <string_view>
 
-#include "converter/gdal/stored_file.hpp"
+#include "converter/gdal/xml_walk.hpp"
 
 namespace mapwright::converter {
 namespace {
-
-// Names of expat are "namespace|local" here.
-std::string_view local_name(const XML_Char* name) {
-  const std::string_view whole = name;
-  return whole.substr(whole.rfind('|') + 1);
-}
 
 bool is_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
@@ -36,41 +25,17 @@ std::string beginning(const std::string& word) {
   return word.substr(0, size) + "…";
 }
 
-class CoordinateScan {
+class CoordinateScan : public XmlWalk {
  public:
-  CoordinateScan() : parser_(XML_ParserCreateNS(nullptr, '|'), XML_ParserFree) {
-    XML_SetUserData(parser_.get(), this);
-    XML_SetElementHandler(parser_.get(), begin_element, end_element);
-    XML_SetCharacterDataHandler(parser_.get(), take_text);
-  }
-
-  std::optional<std::string> find(const StoredFile& file) {
-    std::array<char, 1U << 16U> bytes;
-    std::uint64_t offset = 0;
-    while (const auto size = file.read(offset, bytes.data(), bytes.size())) {
-      const auto status = XML_Parse(parser_.get(), bytes.data(), static_cast<int>(size), XML_FALSE);
-      if (status != XML_STATUS_OK) break;
-      offset += size;
-    }
+  std::optional<std::string> find(const std::string& path) {
+    walk(path);
     return found_;
   }
 
  private:
-  static CoordinateScan& of(void* scan) { return *static_cast<CoordinateScan*>(scan); }
-
-  static void begin_element(void* scan, const XML_Char* name, const XML_Char** attributes) {
-    of(scan).begin(local_name(name), attributes);
-  }
-  static void end_element(void* scan, const XML_Char*) {
-    of(scan).end_word();
-    of(scan).is_inside_ = false;
-  }
-  static void take_text(void* scan, const XML_Char* text, int size) {
-    if (of(scan).is_inside_) of(scan).take({text, static_cast<std::size_t>(size)});
-  }
-
   // GML 2 may say which characters stand between its numbers.
-  void begin(std::string_view name, const XML_Char** attributes) {
+  void begin(std::string_view element, Attributes attributes) override {
+    const auto name = local_name(element);
     is_inside_ = name == "pos" || name == "posList" || name == "coordinates";
     for (; is_inside_ && *attributes != nullptr; attributes += 2) {
       const std::string_view attribute = attributes[0];
@@ -78,13 +43,18 @@ class CoordinateScan {
     }
   }
 
-  // Texts come in pieces that may end within a word.
-  void take(std::string_view text) {
-    for (const char c : text) {
+  void end(std::string_view) override {
+    end_word();
+    is_inside_ = false;
+  }
+
+  void text(std::string_view piece) override {
+    if (!is_inside_) return;
+    for (const char c : piece) {
       if (std::string_view(" \t\r\n,").find(c) != std::string_view::npos) {
         end_word();
       } else {
-        if (word_.empty()) line_ = XML_GetCurrentLineNumber(parser_.get());
+        if (word_.empty()) line_ = line();
         word_ += c;
       }
     }
@@ -94,23 +64,22 @@ class CoordinateScan {
     if (!word_.empty() && !is_number(word_)) {
       found_ = "line " + std::to_string(line_) + ": \"" + beginning(word_) +
                "\" stands among coordinates and is no number";
-      XML_StopParser(parser_.get(), XML_FALSE);
+      stop();
       is_inside_ = false;
     }
     word_.clear();
   }
 
-  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   std::optional<std::string> found_;
   std::string word_;
-  XML_Size line_ = 0;
+  std::size_t line_ = 0;
   bool is_inside_ = false;
 };
 
 }  // namespace
 
 std::optional<std::string> word_among_coordinates(const std::string& path) {
-  return CoordinateScan().find(StoredFile(path));
+  return CoordinateScan().find(path);
 }
 
 }  // namespace mapwright::converter

@@ -20,11 +20,18 @@ namespace fs = std::filesystem;
 
 Failure without_crs(const VectorSource& source, const LayerInfo& layer,
                     const OpenedSources& opened) {
+  const std::string unstated = source.path() + ": layer " + layer.name;
+  if (!layer.several_crs.empty()) {
+    return {FailureKind::kInput,
+            unstated + " states several coordinate reference systems (" + layer.several_crs +
+                "), and a layer is read in one: make a file of the features of each, or say with "
+                "--source-crs EPSG:CODE which one is true of all"};
+  }
   const std::string missing =
       source.driver() == "ESRI Shapefile" ? " (its .prj file is missing, empty or unreadable)" : "";
   return {
       FailureKind::kInput,
-      source.path() + ": layer " + layer.name + " states no coordinate reference system" + missing +
+      unstated + " states no coordinate reference system" + missing +
           ": say which one it is with --source-crs EPSG:CODE, or --local if its coordinates are "
           "metres of the map" +
           crs_advice(opened.sources)};

@@ -117,6 +117,24 @@ TEST_F(BadInput, MifWithoutMid) {
   EXPECT_EQ(run({"convert", mif, "--skip-broken", "-o", folder_.path("map.txt")}).status, 1);
 }
 
+// GDAL reads what is left as a table that never had shapes.
+TEST_F(BadInput, TabWithoutItsParts) {
+  RegisterOGRTAB();
+  const auto tab = folder_.path("walls.tab");
+  auto* maker = GetGDALDriverManager()->GetDriverByName("MapInfo File");
+  ASSERT_NE(maker, nullptr);
+  GDALDatasetUniquePtr table(maker->Create(tab.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  ASSERT_NE(table, nullptr);
+  const std::string wall = "LINESTRING(430000 4580000,430010 4580001)";
+  write_layer(*table, {"walls", "EPSG:25831", {{wall, {{"height", "2"}}}}, wkbLineString});
+  table.reset();
+  EXPECT_EQ(run({"convert", tab, "-o", folder_.path("sound.txt")}).status, 0);
+  for (const std::string part : {"walls.id", "walls.dat", "walls.map"}) {
+    fs::remove(folder_.path(part));
+    refuse(tab, 3, "walls.tab: cannot be read: " + part + " is missing, which holds its ");
+  }
+}
+
 // Counted in the header, passed over by GDAL.
 TEST_F(BadInput, ShapefileWithADeletedRow) {
   const auto shp = shapefile();
