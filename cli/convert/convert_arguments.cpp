@@ -82,7 +82,8 @@ void ConvertArguments::declare(po::options_description& options,
       "metres: leave out vertices as long as the drawing stays nearer to itself than this; 0: "
       "none");
   add("report", po::value(&report_),
-      "write the ledger: what became of every feature (JSON); - is standard output");
+      "write the ledger: what became of every feature (JSON); - is standard output, with --watch "
+      "one document after the other");
   add("watch", po::bool_switch(&watch_),
       "convert and validate again whenever a source is saved, until interrupted");
   add("strict", po::bool_switch(&strict_), "a repair is an error: no map is written");

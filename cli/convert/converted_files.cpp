@@ -74,7 +74,11 @@ void ConvertedFiles::write_sidecar(const std::optional<Georeference>& georeferen
 }
 
 void ConvertedFiles::write_report(const converter::Ledger& ledger, Console& console) {
-  if (report_name_ == "-") return converter::write_ledger(ledger, console.out());
+  if (report_name_ == "-") {
+    converter::write_ledger(ledger, console.out());
+    console.out().flush();  // with --watch a reader waits for it
+    return;
+  }
   if (!report_) return;
   write_stream(*report_, report_name_,
                [&](std::ostream& out) { converter::write_ledger(ledger, out); });

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdio>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "tests/cli/process.hpp"
@@ -33,10 +36,12 @@ bool comes_true(const std::function<bool()>& condition) {
 // Ends the program when the test ends, however it ends.
 class Watching {
  public:
-  explicit Watching(std::vector<std::string> arguments) {
+  // Its standard output goes to `out`, unless empty.
+  explicit Watching(std::vector<std::string> arguments, const std::string& out = "") {
     arguments.insert(arguments.begin(), MAPWRIGHT_PROGRAM);
     child_ = ::fork();
     if (child_ != 0) return;
+    if (!out.empty() && std::freopen(out.c_str(), "w", stdout) == nullptr) ::_exit(126);
     std::vector<char*> words;
     for (auto& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);
@@ -77,6 +82,31 @@ TEST(Watch, ConvertsAgainWhenTheSourceIsSavedAndOutlivesAMistake) {
     EXPECT_TRUE(name == "buildings.geojson" || name == "buildings.txt")
         << name << " is left behind";
   }
+}
+
+// One whole document after the other, each as soon as it is known: what `jq` and the like read.
+TEST(Watch, WritesALedgerOfEachConversionToStandardOutput) {
+  const TemporaryFolder folder;
+  const std::string source = folder.file("buildings.geojson", drawing(3.25));
+  const std::string out = folder.path("ledgers.json");
+  const std::string map = folder.path("buildings.txt");
+  Watching watching({"convert", source, "-o", map, "--report", "-", "--local", "--watch"}, out);
+  const auto ledgers = [&] {
+    std::vector<nlohmann::json> documents;
+    std::istringstream text(text_of(out));
+    while (text >> std::ws && !text.eof()) {
+      documents.push_back(nlohmann::json::parse(text, nullptr, false));
+      if (documents.back().is_discarded()) return std::vector<nlohmann::json>();
+    }
+    return documents;
+  };
+  ASSERT_TRUE(comes_true([&] { return ledgers().size() == 1; }));
+  folder.file("buildings.geojson", "{ this is no drawing");
+  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  EXPECT_EQ(ledgers().size(), 1U) << "what cannot be read has no ledger";
+  folder.file("buildings.geojson", drawing(7.5));
+  ASSERT_TRUE(comes_true([&] { return ledgers().size() == 2; }));
+  for (const auto& ledger : ledgers()) EXPECT_EQ(ledger["totals"]["written"], 1);
 }
 
 TEST(Watch, NeedsAFileToWrite) {
