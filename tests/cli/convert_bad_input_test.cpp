@@ -126,7 +126,7 @@ TEST_F(BadInput, TabWithoutItsParts) {
   GDALDatasetUniquePtr table(maker->Create(tab.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   ASSERT_NE(table, nullptr);
   const std::string wall = "LINESTRING(430000 4580000,430010 4580001)";
-  write_layer(*table, {"walls", "EPSG:25831", {{wall, {{"height", "2"}}}}, wkbLineString});
+  test::write_layer(*table, {"walls", "EPSG:25831", {{wall, {{"height", "2"}}}}, wkbLineString});
   table.reset();
   EXPECT_EQ(run({"convert", tab, "-o", folder_.path("sound.txt")}).status, 0);
   for (const std::string part : {"walls.id", "walls.dat", "walls.map"}) {
