@@ -13,6 +13,7 @@
 #include "converter/gdal/geometry_paths.hpp"
 #include "converter/gdal/messages.hpp"
 #include "converter/gdal/stored_file.hpp"
+#include "converter/source/wrapped_reader.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -36,29 +37,21 @@ bool looks_like_a_shape(const std::string& text) {
                      [&](const char* start) { return EQUALN(text.c_str(), start, strlen(start)); });
 }
 
-class CsvReader : public SourceReader {
+class CsvReader : public WrappedReader {
  public:
-  CsvReader(std::string title, std::string path, std::unique_ptr<SourceReader> table)
-      : title_(std::move(title)),
-        path_(std::move(path)),
-        table_(std::move(table)),
-        warnings_(table_->take_warnings()) {
-    for (const auto& layer : table_->layers()) {
+  CsvReader(const std::string& title, std::string path, std::unique_ptr<SourceReader> table)
+      : WrappedReader(std::move(table)), path_(std::move(path)) {
+    for (const auto& layer : layers()) {
       auto& columns = columns_.emplace_back();
       for (std::size_t i = 0; i < layer.fields.size(); ++i) {
         if (is_shape_column(layer.fields[i])) columns.push_back(i);
       }
       if (!columns.empty()) continue;
-      warnings_.push_back(title_ +
-                          ": no column of it holds shapes: name the one with well-known text WKT "
-                          "(geom, geometry, the_geom and wkt_geom are known too)");
+      warn(title +
+           ": no column of it holds shapes: name the one with well-known text WKT (geom, geometry, "
+           "the_geom and wkt_geom are known too)");
     }
   }
-
-  const std::string& driver() const override { return table_->driver(); }
-  const std::vector<LayerInfo>& layers() const override { return table_->layers(); }
-  std::vector<std::string> take_warnings() override { return std::exchange(warnings_, {}); }
-  Result<std::optional<Box>> extent(std::size_t layer) override { return table_->extent(layer); }
 
   Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
                            const FeatureVisitor& visit) override {
@@ -67,13 +60,11 @@ class CsvReader : public SourceReader {
       if (!options.fields.empty()) with_shapes.fields.push_back(layers()[layer].fields[column]);
     }
     const auto faults = faults_of_rows(path_);
-    const auto count = table_->read(layer, with_shapes, [&](SourceFeature& feature) {
+    return behind().read(layer, with_shapes, [&](SourceFeature& feature) {
       if (feature.geometry.type.empty()) look_again(layer, options.sagitta_m, feature);
       tell_faults(faults, feature);
       visit(feature);
     });
-    for (auto& warning : table_->take_warnings()) warnings_.push_back(std::move(warning));
-    return count;
   }
 
  private:
@@ -118,10 +109,8 @@ class CsvReader : public SourceReader {
     return true;
   }
 
-  std::string title_, path_;
-  std::unique_ptr<SourceReader> table_;
+  std::string path_;
   std::vector<std::vector<std::size_t>> columns_;  // by layer: those of shapes
-  std::vector<std::string> warnings_;
 };
 
 // A table that is a single column of shapes has no separator that would tell GDAL that it is one.

@@ -11,6 +11,7 @@
 
 #include "converter/gdal/dxf_entities.hpp"
 #include "converter/gdal/dxf_header.hpp"
+#include "converter/source/wrapped_reader.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -49,13 +50,14 @@ std::string number(double value) {
 }
 
 // The whole drawing is one layer of GDAL's: where each feature belongs is found out once.
-class DxfReader : public SourceReader {
+class DxfReader : public WrappedReader {
  public:
   DxfReader(const GdalInput& input, std::unique_ptr<SourceReader> drawing)
-      : title_(input.title), drawing_(std::move(drawing)) {
-    const auto& fields = drawing_->layers()[0].fields;
+      : WrappedReader(std::move(drawing)), title_(input.title) {
+    const auto& fields = behind().layers()[0].fields;
     layer_field_ = position_of(fields, "Layer");
     class_field_ = position_of(fields, "SubClasses");
+    own_layers().clear();
   }
 
   Result<void> sort(std::optional<double> stated_unit_m, UnreadEntities unread) {
@@ -65,7 +67,7 @@ class DxfReader : public SourceReader {
     tell_passed_over(unread.passed_over);
     ReadOptions options;
     options.keep_broken = true;  // whether that is allowed is decided when the layer is read
-    const auto count = drawing_->read(0, options, [&](SourceFeature& feature) {
+    const auto count = behind().read(0, options, [&](SourceFeature& feature) {
       auto& layer = found[layer_of(feature)];
       ++layer.features;
       last_fid_ = std::max(last_fid_, feature.fid);
@@ -81,18 +83,9 @@ class DxfReader : public SourceReader {
       all.add({layer.box.min_x, layer.box.min_y});
       all.add({layer.box.max_x, layer.box.max_y});
     }
-    drawing_->take_warnings();  // they come again with the layers
+    behind().take_warnings();  // they come again with the layers
     if (stated_unit_m && !all.is_empty()) set_unit(*stated_unit_m, all);
     return {};
-  }
-
-  const std::string& driver() const override { return drawing_->driver(); }
-  const std::vector<LayerInfo>& layers() const override { return layers_; }
-  std::vector<std::string> take_warnings() override {
-    auto warnings = drawing_->take_warnings();
-    warnings.insert(warnings.begin(), warnings_.begin(), warnings_.end());
-    warnings_.clear();
-    return warnings;
   }
 
   Result<std::optional<Box>> extent(std::size_t layer) override {
@@ -104,8 +97,8 @@ class DxfReader : public SourceReader {
     std::size_t count = 0;
     ReadOptions whole = options;
     whole.fields.clear();  // which layer a feature is of is one of its fields
-    const auto read = drawing_->read(0, whole, [&](SourceFeature& feature) {
-      if (layer_of(feature) != layers_[layer].name) return;
+    const auto read = behind().read(0, whole, [&](SourceFeature& feature) {
+      if (layer_of(feature) != layers()[layer].name) return;
       mark_curves(feature);
       tell_losses(feature);
       ++count;
@@ -129,10 +122,10 @@ class DxfReader : public SourceReader {
   // Entities that GDAL passed over stand behind the others, so that the ledger has all of them.
   std::size_t visit_lost(std::size_t layer, const FeatureVisitor& visit) const {
     SourceFeature feature;
-    feature.values.resize(layers_[layer].fields.size());
+    feature.values.resize(layers()[layer].fields.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < lost_.size(); ++i) {
-      if (lost_[i].layer != layers_[layer].name) continue;
+      if (lost_[i].layer != layers()[layer].name) continue;
       feature.fid = last_fid_ + 1 + static_cast<std::int64_t>(i);
       feature.values[layer_field_] = lost_[i].layer;
       feature.broken = lost_[i].why;
@@ -161,7 +154,7 @@ class DxfReader : public SourceReader {
     if (kinds.empty()) return;
     std::string all;
     for (const auto& kind : kinds) all += (all.empty() ? "" : ", ") + kind;
-    warnings_.push_back(title_ + ": passed over, for it stands for nothing solid: " + all);
+    warn(title_ + ": passed over, for it stands for nothing solid: " + all);
   }
 
   void mark_curves(SourceFeature& feature) const {
@@ -172,11 +165,11 @@ class DxfReader : public SourceReader {
   }
 
   void add_layer(const std::string& name, const Found& found) {
-    LayerInfo info = drawing_->layers()[0];
+    LayerInfo info = behind().layers()[0];
     info.name = name;
     info.declared_features = static_cast<std::int64_t>(found.features);
     info.chains_lines = true;
-    layers_.push_back(std::move(info));
+    own_layers().push_back(std::move(info));
     boxes_.push_back(found.box);
   }
 
@@ -185,23 +178,20 @@ class DxfReader : public SourceReader {
     const double reach_m = drawn * unit_m;
     const bool can_be = reach_m >= kLeastPlace_m && reach_m <= kGreatestPlace_m;
     if (can_be || drawn == 0.0) {
-      for (auto& layer : layers_) layer.metres_per_local_unit = unit_m;
+      for (auto& layer : own_layers()) layer.metres_per_local_unit = unit_m;
       return;
     }
-    warnings_.push_back(title_ + ": its $INSUNITS says that a unit is " + number(unit_m) +
-                        " m, which would make it " + number(reach_m) +
-                        " m wide: the unit is not believed, coordinates count as metres");
+    warn(title_ + ": its $INSUNITS says that a unit is " + number(unit_m) +
+         " m, which would make it " + number(reach_m) +
+         " m wide: the unit is not believed, coordinates count as metres");
   }
 
   std::string title_;
-  std::unique_ptr<SourceReader> drawing_;
   std::size_t layer_field_ = 0;
   std::size_t class_field_ = 0;
-  std::vector<LayerInfo> layers_;
   std::vector<Box> boxes_;
   std::vector<UnreadEntity> lost_;
   std::int64_t last_fid_ = 0;
-  std::vector<std::string> warnings_;
 };
 
 }  // namespace

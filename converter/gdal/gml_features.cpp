@@ -11,6 +11,7 @@
 
 #include "converter/gdal/stored_file.hpp"
 #include "converter/gdal/xml_walk.hpp"
+#include "converter/source/wrapped_reader.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -141,31 +142,26 @@ bool has_schema(const std::string& path) {
   return is_there(".xsd") || is_there(".gfs");
 }
 
-class GmlReader : public SourceReader {
+class GmlReader : public WrappedReader {
  public:
   GmlReader(std::unique_ptr<SourceReader> reader, const std::string& path)
-      : reader_(std::move(reader)), layers_(reader_->layers()), found_(FeatureScan().find(path)) {
+      : WrappedReader(std::move(reader)), found_(FeatureScan().find(path)) {
     const bool knows_geometries = has_schema(path);
     for (auto& [name, layer] : found_) {
       if (knows_geometries) layer.several.clear();
     }
-    for (auto& layer : layers_) {
+    for (auto& layer : own_layers()) {
       const auto& names = found_[layer.name].crs;
       if (!layer.crs.is_stated() && names.size() > 1) layer.several_crs = listed(names);
     }
   }
 
-  const std::string& driver() const override { return reader_->driver(); }
-  const std::vector<LayerInfo>& layers() const override { return layers_; }
-  std::vector<std::string> take_warnings() override { return reader_->take_warnings(); }
-  Result<std::optional<Box>> extent(std::size_t layer) override { return reader_->extent(layer); }
-
   // GDAL hands out the features of a layer in the order of the document.
   Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
                            const FeatureVisitor& visit) override {
-    const auto& several = found_[layers_[layer].name].several;
+    const auto& several = found_[layers()[layer].name].several;
     std::size_t place = 0;
-    return reader_->read(layer, options, [&](SourceFeature& feature) {
+    return behind().read(layer, options, [&](SourceFeature& feature) {
       const auto found = several.find(place++);
       if (found != several.end()) feature.lost = loss_of(found->second);
       visit(feature);
@@ -179,8 +175,6 @@ class GmlReader : public SourceReader {
            ".xsd) beside the document";
   }
 
-  std::unique_ptr<SourceReader> reader_;
-  std::vector<LayerInfo> layers_;
   std::map<std::string, GmlLayer> found_;
 };
 

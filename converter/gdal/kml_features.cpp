@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "converter/gdal/kml_elements.hpp"
+#include "converter/source/wrapped_reader.hpp"
 
 namespace mapwright::converter {
 namespace {
@@ -20,13 +21,13 @@ struct ToldLayer {
   std::vector<std::string> links;
 };
 
-class KmlReader : public SourceReader {
+class KmlReader : public WrappedReader {
  public:
   KmlReader(std::unique_ptr<SourceReader> reader, const KmlElements& found, std::string title)
-      : reader_(std::move(reader)), layers_(reader_->layers()), told_(layers_.size()) {
+      : WrappedReader(std::move(reader)), told_(layers().size()) {
     match(found.containers);
-    for (std::size_t i = 0; i < layers_.size(); ++i) {
-      auto& declared = layers_[i].declared_features;
+    for (std::size_t i = 0; i < told_.size(); ++i) {
+      auto& declared = own_layers()[i].declared_features;
       if (declared >= 0) declared += static_cast<std::int64_t>(told_[i].links.size());
     }
     std::string kinds;
@@ -34,25 +35,15 @@ class KmlReader : public SourceReader {
       kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
     }
     if (kinds.empty()) return;
-    warnings_.push_back(title + ": passed over, for it stands for nothing solid: " + kinds);
+    warn(title + ": passed over, for it stands for nothing solid: " + kinds);
   }
-
-  const std::string& driver() const override { return reader_->driver(); }
-  const std::vector<LayerInfo>& layers() const override { return layers_; }
-  std::vector<std::string> take_warnings() override {
-    auto warnings = reader_->take_warnings();
-    warnings.insert(warnings.begin(), warnings_.begin(), warnings_.end());
-    warnings_.clear();
-    return warnings;
-  }
-  Result<std::optional<Box>> extent(std::size_t layer) override { return reader_->extent(layer); }
 
   Result<std::size_t> read(std::size_t layer, const ReadOptions& options,
                            const FeatureVisitor& visit) override {
     const auto& kinds = told_[layer].features;
     std::size_t place = 0;
     std::int64_t last_fid = 0;
-    const auto count = reader_->read(layer, options, [&](SourceFeature& feature) {
+    const auto count = behind().read(layer, options, [&](SourceFeature& feature) {
       if (place < kinds.size()) tell(kinds[place], feature);
       ++place;
       last_fid = std::max(last_fid, feature.fid);
@@ -69,8 +60,8 @@ class KmlReader : public SourceReader {
     std::size_t next = 0;
     for (const auto& container : containers) {
       std::size_t layer = next;
-      while (layer < layers_.size() && !is_named(layers_[layer].name, container.name)) ++layer;
-      const bool is_layer = layer < layers_.size() && holds_as_many(layer, container);
+      while (layer < layers().size() && !is_named(layers()[layer].name, container.name)) ++layer;
+      const bool is_layer = layer < layers().size() && holds_as_many(layer, container);
       auto& told = told_[is_layer ? layer : 0];
       told.links.insert(told.links.end(), container.links.begin(), container.links.end());
       if (!is_layer) continue;
@@ -80,7 +71,7 @@ class KmlReader : public SourceReader {
   }
 
   bool holds_as_many(std::size_t layer, const KmlContainer& container) const {
-    const auto declared = layers_[layer].declared_features;
+    const auto declared = layers()[layer].declared_features;
     return declared < 0 || static_cast<std::size_t>(declared) == container.features.size();
   }
 
@@ -96,7 +87,7 @@ class KmlReader : public SourceReader {
 
   std::size_t visit_links(std::size_t layer, std::int64_t fid, const FeatureVisitor& visit) const {
     SourceFeature feature;
-    feature.values.resize(layers_[layer].fields.size());
+    feature.values.resize(layers()[layer].fields.size());
     for (const auto& address : told_[layer].links) {
       feature.fid = ++fid;
       feature.broken = "what its NetworkLink leads to (" + address +
@@ -106,10 +97,7 @@ class KmlReader : public SourceReader {
     return told_[layer].links.size();
   }
 
-  std::unique_ptr<SourceReader> reader_;
-  std::vector<LayerInfo> layers_;
-  std::vector<ToldLayer> told_;
-  std::vector<std::string> warnings_;
+  std::vector<ToldLayer> told_;  ///< by layer
 };
 
 }  // namespace
