@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "navcore/localization/pose_belief.hpp"
+
 namespace mapwright::navcore {
 namespace {
 
@@ -20,10 +22,10 @@ constexpr double kSmoothing = 0.4;
 constexpr std::size_t kLeastOrigins = 16;
 constexpr std::size_t kMostOrigins = 128;
 
-// A tenth of the probability is spread three times as wide as the whole mixture, as in a
-// PoseBelief: what a few poses say of all has gaps, and the robot may be in one.
-constexpr double kTail = 0.1;
-constexpr double kTailWidth = 3.0;
+// What a few poses say of all has gaps, and the robot may be in one: some of the probability is
+// spread wider than the whole mixture, as it is where particles are drawn.
+constexpr double kTail = PoseBelief::kTail;
+constexpr double kTailWidth = PoseBelief::kTailWidth;
 
 // Of a mixture's density, what is less than exp(this) of the greatest part counts as nothing.
 constexpr double kNegligible = -12.0;

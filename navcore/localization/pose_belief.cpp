@@ -8,8 +8,8 @@
 namespace mapwright::navcore {
 namespace {
 
-constexpr double kTail = 0.1;
-constexpr double kTailWidth = 3.0;
+constexpr double kTail = PoseBelief::kTail;
+constexpr double kTailWidth = PoseBelief::kTailWidth;
 
 constexpr double square(double x) {
   return x * x;

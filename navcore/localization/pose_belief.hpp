@@ -14,6 +14,9 @@ namespace mapwright::navcore {
 /// a scan that says nothing leaves it as wide as it was.
 class PoseBelief {
  public:
+  static constexpr double kTail = 0.1;       ///< share of the probability that is spread wider
+  static constexpr double kTailWidth = 3.0;  ///< so many times
+
   /// Mean and covariance of particles that lie around one place; headings are taken relative to
   /// that of the heaviest particle. The variances are raised by the squares of the given standard
   /// deviations, above 0. Requires a non-empty set.
