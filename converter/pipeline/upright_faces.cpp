@@ -18,6 +18,9 @@ namespace {
 constexpr double kLeastFace_m = tolerance::kLeastStepRise_m;
 constexpr double kLeastFaceOfLine_m = 0.1;
 
+// Along a face: what is nearer together is one place.
+constexpr double kLeastStretch_m = 1e-3;
+
 struct Vertex {
   Point at;
   double z = 0.0;
@@ -67,33 +70,63 @@ std::optional<std::pair<Point, Point>> straight_footprint(const Face& face, doub
   return std::pair(a, b);
 }
 
-// How high a face is over a place of its straight footprint.
-double height_at(const Face& face, Point a, Point along, double s) {
+struct Heights {
   double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void add(double z) {
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+};
+
+// Where a face begins and ends over a place of its straight footprint.
+Heights heights_at(const Face& face, Point a, Point along, double s) {
+  Heights heights;
   for (std::size_t i = 0; i < face.size(); ++i) {
     const auto& p = face[i];
     const auto& q = face[(i + 1) % face.size()];
     const double from = dot(p.at - a, along), to = dot(q.at - a, along);
     if (s < std::min(from, to) || s > std::max(from, to)) continue;
     const double t = from == to ? 0.0 : (s - from) / (to - from);
-    const double z = p.z + t * (q.z - p.z);
-    low = std::min({low, z, from == to ? q.z : z});
-    high = std::max({high, z, from == to ? q.z : z});
+    heights.add(p.z + t * (q.z - p.z));
+    if (from == to) heights.add(q.z);
   }
-  return high - low;
+  return heights;
 }
 
-// The greatest; over sloping ground that is less than from the lowest to the highest point.
+constexpr std::size_t kMostVertices = 1000;  // each looks at all
+
+// The greatest height; over sloping ground that is less than from the lowest to the highest point.
 double height_over(const Face& face, Point a, Point b) {
-  constexpr std::size_t kMostVertices = 1000;  // each looks at all
   const auto [low, high] = heights_of(face);
   if (face.size() > kMostVertices) return high - low;
   const Point along = (1.0 / distance(a, b)) * (b - a);
   double height = 0.0;
   for (const auto& vertex : face) {
-    height = std::max(height, height_at(face, a, along, dot(vertex.at - a, along)));
+    const auto heights = heights_at(face, a, along, dot(vertex.at - a, along));
+    height = std::max(height, heights.high - heights.low);
   }
   return std::min(height, high - low);
+}
+
+// Whether a doorway is cut out of the face: its lower edge jumps up by more than stairs would.
+bool has_doorway(const Face& face, Point a, Point b) {
+  constexpr double kLeastDoorway_m = 1.0;
+  if (face.size() > kMostVertices) return false;
+  const Point along = (1.0 / distance(a, b)) * (b - a);
+  std::vector<double> places;
+  for (const auto& vertex : face) places.push_back(dot(vertex.at - a, along));
+  std::sort(places.begin(), places.end());
+  std::optional<double> low_before;  // at the end of the stretch before
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double width = places[i + 1] - places[i];
+    if (!(width > kLeastStretch_m)) continue;
+    constexpr double kInside = 1e-3;  // of a stretch: at its very end another edge may stand
+    const double low = heights_at(face, a, along, places[i] + kInside * width).low;
+    if (low_before && std::abs(low - *low_before) > kLeastDoorway_m) return true;
+    low_before = heights_at(face, a, along, places[i + 1] - kInside * width).low;
+  }
+  return false;
 }
 
 struct PointOrder {
@@ -162,7 +195,12 @@ class FaceCollector {
     const std::size_t before = faces_.size();
     if (const auto ends = straight_footprint(face, resolution_m_)) {
       const double height = height_over(face, ends->first, ends->second);
-      if (height > least_m) keep(i, {snap_(ends->first), snap_(ends->second)}, low, low + height);
+      if (height > least_m) {
+        keep(i, {snap_(ends->first), snap_(ends->second)}, low, low + height);
+        if (faces_.size() > before) {
+          faces_.back().has_openings = has_doorway(face, ends->first, ends->second);
+        }
+      }
     } else if (const double height = height_over_places(face, snap_); height > least_m) {
       add_bent(i, face, low, low + height);
     }

@@ -14,7 +14,7 @@ struct UprightFace {
   std::vector<std::size_t> paths;  ///< positions of its rings
   std::vector<Point> line;         ///< at the map's resolution, open
   bool curved = false;
-  bool has_openings = false;  ///< inner rings
+  bool has_openings = false;  ///< inner rings, or doorways cut out of a straight face
   double bottom_m = 0.0, top_m = 0.0;
 };
 

@@ -92,6 +92,18 @@ TEST_F(UprightFaces, LoseTheirOpeningsNotInSilence) {
   EXPECT_EQ(feature()["outcome"], "changed");
 }
 
+TEST_F(UprightFaces, LoseDoorwaysThatAreCutOutOfThemNotInSilence) {
+  const auto outcome = [&](const std::string& ring) {
+    EXPECT_EQ(made_of("POLYGON Z((" + ring + "))").size(), 1U);
+    return feature()["outcome"].get<std::string>();
+  };
+  EXPECT_EQ(outcome("0 0 0,3 0 0,3 0 2,4 0 2,4 0 0,8 0 0,8 0 3,0 0 3,0 0 0"), "changed");
+  EXPECT_NE(feature().dump().find("openings of an upright face are closed"), std::string::npos);
+  EXPECT_EQ(outcome("0 0 0,8 0 0,8 0 2,4 0 2,4 0 4,0 0 4,0 0 0"), "written") << "a top that steps";
+  EXPECT_EQ(outcome("0 0 0,4 0 0,4 0 0.2,8 0 0.2,8 0 3,0 0 3,0 0 0"), "written") << "a kerb";
+  EXPECT_EQ(outcome("0 0 0,8 0 4,8 0 7,0 0 3,0 0 0"), "written") << "a slope";
+}
+
 // A line over hilly ground, one that a surveyor walked back, a sliver on a slope.
 TEST_F(UprightFaces, AreNotSeenWhereTheGroundIsHilly) {
   const auto fence = made_of("LINESTRING Z(0 0 0,5 0 3,10 0 1)");
