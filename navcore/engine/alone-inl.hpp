@@ -35,149 +35,134 @@ HWY_INLINE void ask_for(const PackedCell& cell) {
   }
 }
 
-// Lists the walls (or else the ramps) that scans may meet. Asks for the lists of those that are
-// next, one by one: all at once they would queue up.
-template <bool kTwoSided>
-HWY_INLINE void find_walls_of(const ScanSetup& setup, ScansTogether scans, ScansTogether next,
-                              Workspace& work) {
-  search(
-      setup, scans.size(), work.lasers, work.candidates,
-      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA {
-        const PackedCell* const cell = scans[i].cell;
-        return ViewedRun{cell, kTwoSided ? cell->two_sided() : cell->one_sided()};
-      },
-      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA {
-        if (i < next.size()) ask_for(*next[i].cell);
-      });
-  work.walls.make_room(2 * work.candidates.size);
-  const IntVector rows = hn::Load(Ints(), work.rows.data());
-  for_each_candidate(work.candidates, work.lasers, *setup.beams,
-                     [&](const LaneSpans& lanes, FloatMask real, IntVector scan,
-                         IntVector segment) MAPWRIGHT_INLINE_LAMBDA {
-                       const auto of = hn::IndicesFromVec(Ints(), scan);
-                       const FloatMask valid = kTwoSided ? real : hn::And(real, lanes.low_side);
-                       append_spans(lanes, valid, hn::TableLookupLanes(rows, of), *setup.beams,
-                                    work.walls, NoNote());
-                       for_rare_lanes(hn::And(real, lanes.near_line), [&](std::uint32_t i) {
-                         HWY_ALIGN std::int32_t scan_of[kBlock], segment_of[kBlock];
-                         hn::Store(scan, Ints(), scan_of);
-                         hn::Store(segment, Ints(), segment_of);
-                         const auto s = static_cast<std::size_t>(scan_of[i]);
-                         work.touched_walls.push_back(
-                             {scans[s], static_cast<std::uint32_t>(segment_of[i]), work.row(s)});
-                       });
-                     });
-}
-
-HWY_INLINE void find_walls(const ScanSetup& setup, const ScanStarts& starts, ScansTogether scans,
-                           ScansTogether next, Workspace& work) {
-  bool ramps = false;
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    set_laser(starts, scans[i].start, i, work.lasers);
-    ramps |= scans[i].cell->one_sided_count != 0;
-  }
-  find_walls_of<true>(setup, scans, next, work);
-  if (HWY_UNLIKELY(ramps)) find_walls_of<false>(setup, scans, {}, work);
-}
-
-// -- staircases --------------------------------------------------------------------------------
-
-// Staircases that are searched together, each for one scan. They are views `first`, first + 1, …
-struct StairsTogether {
-  void add(const PackedCell& cell, const PackedStairs& stairs) {
-    runs[count] = {&cell, stairs.segments};
-    low_step[count] = static_cast<std::int32_t>(stairs.first_low_step);
-    stop[count] = static_cast<std::int32_t>(stairs.first_stop);
-    ++count;
-  }
-
-  std::size_t first;
-  std::size_t count = 0;
-  ViewedRun runs[kBlock] = {};
-  alignas(kLine) std::int32_t low_step[kBlock] = {};  ///< number of the first segment
-  alignas(kLine) std::int32_t stop[kBlock] = {};
-};
-
-// Lists the steps of staircases.
-HWY_INLINE void find_steps_of(const ScanSetup& setup, ScansTogether scans,
-                              const StairsTogether& together, Workspace& work) {
+// Calls list(real lanes, where they come from, add) for the candidates of scans, a vector at a
+// time; add(lanes, found) lists what those lanes meet. The buffer of a scan is at its lane of
+// `rows`.
+template <bool kTwoSided, class List>
+HWY_INLINE void list_candidates(const ScanSetup& setup, ScansTogether scans,
+                                const LaserTable& lasers, IntVector rows,
+                                const Candidates& candidates, List&& list) {
   const Ints di;
-  search(
-      setup, together.count, work.stairs_lasers, work.candidates,
-      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA { return together.runs[i]; }, [](std::size_t) {});
-  work.steps.make_room(2 * work.candidates.size);
-  const IntVector rows = hn::Add(hn::Load(di, work.stairs_rows.data()),
-                                 hn::Set(di, work.row(kStairsRows * together.first)));
-  const IntVector low_step = hn::Load(di, together.low_step), stops = hn::Load(di, together.stop);
   for_each_candidate(
-      work.candidates, work.stairs_lasers, *setup.beams,
-      [&](const LaneSpans& lanes, FloatMask real, IntVector view, IntVector segment)
+      candidates, lasers, *setup.beams,
+      [&](const LaneSpans& lanes, FloatMask real, IntVector scan, IntVector source)
           MAPWRIGHT_INLINE_LAMBDA {
-            const auto of = hn::IndicesFromVec(di, view);
-            const auto is_top = hn::Gt(hn::TableLookupLanes(low_step, of), segment);
-            const auto is_low = hn::Gt(hn::TableLookupLanes(stops, of), segment);
-            const IntVector part =
-                hn::IfThenElse(is_top, hn::Set(di, work.row(kTops)),
-                               hn::IfThenElse(is_low, hn::Set(di, work.row(kLowSteps)),
-                                              hn::Set(di, work.row(kStops))));
-            const IntVector row = hn::Add(hn::TableLookupLanes(rows, of), part);
-            HWY_ALIGN std::int32_t view_of[kBlock], segment_of[kBlock], row_of[kBlock];
-            hn::Store(view, di, view_of);
-            hn::Store(segment, di, segment_of);
-            hn::Store(row, di, row_of);
-            const FloatMask stop = hn::Not(hn::RebindMask(Floats(), is_low));
-            append_spans(lanes, real, row, *setup.beams, work.steps,
-                         [&](FloatMask seen, FloatVector first, FloatVector end)
-                             MAPWRIGHT_INLINE_LAMBDA {
-                               HWY_ALIGN float first_of[kBlock], end_of[kBlock];
-                               hn::Store(first, Floats(), first_of);
-                               hn::Store(end, Floats(), end_of);
-                               for_rare_lanes(hn::And(seen, stop), [&](std::uint32_t i) {
-                                 const auto v = static_cast<std::size_t>(view_of[i]);
-                                 work.stairs_views[together.first + v].add(
-                                     static_cast<std::int32_t>(first_of[i] - kWhole),
-                                     static_cast<std::int32_t>(end_of[i] - kWhole));
-                               });
-                             });
-            for_rare_lanes(hn::And(real, lanes.near_line), [&](std::uint32_t i) {
-              const auto v = static_cast<std::size_t>(view_of[i]);
-              StairsView& seen = work.stairs_views[together.first + v];
-              work.touched_steps.push_back(
-                  {scans[seen.scan], static_cast<std::uint32_t>(segment_of[i]), row_of[i]});
-              if (segment_of[i] >= together.stop[v]) {
-                seen.add(0, static_cast<std::int32_t>(setup.beams->rays));
-              }
+            const IntVector row = hn::TableLookupLanes(rows, hn::IndicesFromVec(di, scan));
+            list(real, source, [&](FloatMask those, FoundSpans& found) MAPWRIGHT_INLINE_LAMBDA {
+              const FloatMask valid = kTwoSided ? those : hn::And(those, lanes.low_side);
+              append_spans(lanes, valid, row, *setup.beams, found.spans);
+              for_rare_lanes(hn::And(those, lanes.near_line), [&](std::uint32_t i) {
+                HWY_ALIGN std::int32_t scan_of[kBlock], source_of[kBlock], row_of[kBlock];
+                hn::Store(scan, di, scan_of);
+                hn::Store(source, di, source_of);
+                hn::Store(row, di, row_of);
+                found.touched.push_back({scans[static_cast<std::size_t>(scan_of[i])],
+                                         segment_of(source_of[i]), row_of[i]});
+              });
             });
           });
 }
 
-// Lists what scans see of staircases of which they see stops.
-HWY_INLINE void find_steps(const ScanSetup& setup, const ScanStarts& starts, ScansTogether scans,
-                           Workspace& work) {
-  std::size_t with_stairs[kTogether];
+// Some of the scans that are cast together.
+struct ChosenScans {
+  HWY_INLINE void add_if(bool chosen, std::size_t scan) {
+    scans[count] = scan;
+    count += chosen ? 1 : 0;
+  }
+
   std::size_t count = 0;
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    with_stairs[count] = i;
-    count += scans[i].cell->stairs_count != 0 ? 1 : 0;
-  }
-  StairsTogether together{0};
-  const auto search_together = [&]() HWY_ATTR {
-    find_steps_of(setup, scans, together, work);
-    together = {work.stairs_views.size()};
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const StartInCell& scan = scans[with_stairs[i]];
-    for (const PackedStairs& stairs : scan.cell->stairs()) {
-      set_laser(starts, scan.start, together.count, work.stairs_lasers);
-      work.stairs_views.push_back(
-          {with_stairs[i], kStairsRows * work.stairs_views.size(), kNoRay, 0});
-      together.add(*scan.cell, stairs);
-      if (together.count == kTogether) search_together();
+  std::size_t scans[kBlock + 1];
+};
+
+// Lists what some scans meet of their lists; run_of(list) is where.
+template <bool kTwoSided, class RunOf>
+HWY_INLINE void find_some(const ScanSetup& setup, ScansTogether scans, const ChosenScans& some,
+                          const LaserTable& lasers, IntVector rows, Candidates& candidates,
+                          FoundSpans& found, RunOf&& run_of) {
+  candidates.size = 0;
+  search(
+      setup, some.count, lasers, candidates,
+      [&](std::size_t k) MAPWRIGHT_INLINE_LAMBDA { return some.scans[k]; },
+      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA {
+        return ViewedRun{scans[i].cell, run_of(*scans[i].cell)};
+      },
+      [](std::size_t) {});
+  found.spans.make_room(2 * candidates.size);
+  list_candidates<kTwoSided>(setup, scans, lasers, rows, candidates,
+                             [&](FloatMask real, IntVector, auto&& add)
+                                 MAPWRIGHT_INLINE_LAMBDA { add(real, found); });
+}
+
+// Lists what scans meet of staircases, each in rows of its own.
+HWY_NOINLINE void find_steps_with_rows(const ScanSetup& setup, ScansTogether scans,
+                                       ChosenScans some, const LaserTable& lasers,
+                                       Workspace& work) {
+  const Ints di;
+  for (std::size_t number = 0; some.count != 0; ++number) {
+    const std::size_t first_row = number * kBlock * kStairsRows;
+    const auto find_rows = [&](StairsRow row, SegmentRun PackedStairs::*part) HWY_ATTR {
+      const IntVector rows =
+          hn::Add(hn::Load(di, work.stairs_rows.data()), hn::Set(di, work.row(first_row + row)));
+      find_some<true>(setup, scans, some, lasers, rows, work.candidates, work.steps,
+                      [&](const PackedCell& cell) { return cell.stairs()[number].*part; });
+    };
+    find_rows(kTops, &PackedStairs::tops);
+    find_rows(kLowSteps, &PackedStairs::low_steps);
+    find_rows(kStops, &PackedStairs::stops);
+    ChosenScans with_more;
+    for (std::size_t k = 0; k < some.count; ++k) {
+      const std::size_t i = some.scans[k];
+      work.stairs_views.push_back({i, first_row + i * kStairsRows});
+      with_more.add_if(scans[i].cell->stairs_count > number + 1, i);
     }
+    work.make_stairs_rows(first_row + kBlock * kStairsRows);
+    some = with_more;
   }
-  work.make_stairs_rows(kStairsRows * work.stairs_views.size());
-  if (together.count != 0) search_together();
-  std::erase_if(work.stairs_views, [](const StairsView& view) { return view.first >= view.end; });
+}
+
+// Lists what scans meet. Asks for the lists of those that are next, one by one: all at once they
+// would queue up.
+HWY_INLINE void find_all(const ScanSetup& setup, ScansTogether scans, ScansTogether next,
+                         const LaserTable& lasers, Workspace& work) {
+  const Floats d;
+  const Ints di;
+  const IntVector rows = hn::Load(di, work.rows.data());
+  Candidates& candidates = work.candidates;
+  candidates.size = 0;
+  ChosenScans with_ramps, with_stairs;
+  search(
+      setup, scans.size(), lasers, candidates, [](std::size_t i) { return i; },
+      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA {
+        const PackedCell& cell = *scans[i].cell;
+        return ViewedRun{&cell, cell.two_sided(), cell.first_stop, cell.first_top};
+      },
+      [&](std::size_t i) MAPWRIGHT_INLINE_LAMBDA {
+        with_ramps.add_if(scans[i].cell->one_sided_count != 0, i);
+        with_stairs.add_if(scans[i].cell->stairs_count != 0, i);
+        if (i < next.size()) ask_for(*next[i].cell);
+      });
+  for (FoundSpans* found : {&work.walls, &work.lone_stops, &work.lone_tops}) {
+    found->spans.make_room(2 * candidates.size);
+  }
+  list_candidates<true>(setup, scans, lasers, rows, candidates,
+                        [&](FloatMask real, IntVector source, auto&& add) MAPWRIGHT_INLINE_LAMBDA {
+                          const auto is_before = [&](std::int32_t bit) MAPWRIGHT_INLINE_LAMBDA {
+                            return hn::RebindMask(d, hn::Gt(hn::Set(di, bit), source));
+                          };
+                          const FloatMask is_wall = is_before(kIsStop);
+                          add(hn::And(real, is_wall), work.walls);
+                          if (HWY_LIKELY(hn::AllFalse(d, hn::AndNot(is_wall, real)))) return;
+                          const FloatMask is_before_tops = is_before(kIsTop);
+                          add(hn::And(real, hn::AndNot(is_wall, is_before_tops)), work.lone_stops);
+                          add(hn::AndNot(is_before_tops, real), work.lone_tops);
+                        });
+  if (HWY_UNLIKELY(with_ramps.count != 0)) {
+    find_some<false>(setup, scans, with_ramps, lasers, rows, candidates, work.walls,
+                     [](const PackedCell& cell) { return cell.one_sided(); });
+  }
+  if (HWY_UNLIKELY(with_stairs.count != 0)) {
+    find_steps_with_rows(setup, scans, with_stairs, lasers, work);
+  }
 }
 
 }  // namespace mapwright::navcore::engine::HWY_NAMESPACE

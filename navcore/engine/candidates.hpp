@@ -7,16 +7,6 @@
 
 namespace mapwright::navcore::engine {
 
-/// Lasers of the views that are searched together: a scan's, of walls or of a staircase.
-struct LaserTable {
-  alignas(kLine) float x[kBlock] = {};
-  alignas(kLine) float y[kBlock] = {};
-  alignas(kLine) float cosine[kBlock] = {};
-  alignas(kLine) float sine[kBlock] = {};
-  alignas(
-      kLine) float least[kBlock] = {};  ///< of x · cosine + y · sine that is not behind the laser
-};
-
 /// Those segments that lie in front of their lasers, of all views one after the other.
 class Candidates {
  public:
@@ -30,7 +20,7 @@ class Candidates {
 
   std::size_t size = 0;
   AlignedFloats ax, ay, bx, by;  ///< ends, relative to the centre of the view's cell
-  AlignedInts source;            ///< kBlock · segment of the view's list + view
+  AlignedInts source;            ///< view, segment of its list, and what that is
 };
 
 }  // namespace mapwright::navcore::engine

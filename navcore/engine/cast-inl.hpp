@@ -29,25 +29,25 @@ HWY_INLINE void cast_listed(const ScanSetup& setup, const ScanStarts& starts, Sc
                             Workspace& work, Finish&& finish) {
   const BeamTable& beams = *setup.beams;
   fill(work.inverses.data(), scans.size() * beams.padded_rays(), beams.out_of_range);
-  raise_spans(beams, work.walls, work.inverses.data());
-  raise_touched(setup, starts, work.touched_walls, work.inverses.data());
+  raise_lone_stairs(setup, starts, work);
+  raise_found(setup, starts, work.walls, work.inverses.data());
   if (!work.stairs_views.empty()) raise_stairs(setup, starts, work);
   finish(scans);
 }
 
-// Calls `finish(scans)` for the scans of `work.alone`. They go through each stage together: the
+// Calls `finish(scans)` for the scans that are alone. They go through each stage together: the
 // processor works on several of them at once as long as no branch hangs on what a single one sees.
 template <class Finish>
 HWY_INLINE void for_each_alone(const ScanSetup& setup, const ScanStarts& starts, Workspace& work,
                                Finish&& finish) {
-  const ScansTogether alone = work.alone;
+  const ScansTogether alone = starts.alone;
   for (std::size_t begin = 0; begin < alone.size(); begin += kTogether) {
     const std::size_t end = std::min(alone.size(), begin + kTogether);
     const std::size_t ahead = std::min(alone.size(), end + kTogether);
     const ScansTogether scans = alone.subspan(begin, end - begin);
     work.clear();
-    find_walls(setup, starts, scans, alone.subspan(end, ahead - end), work);
-    find_steps(setup, starts, scans, work);
+    const LaserTable lasers(starts, begin, setup.behind_m);
+    find_all(setup, scans, alone.subspan(end, ahead - end), lasers, work);
     cast_listed(setup, starts, scans, work, finish);
   }
 }
@@ -57,38 +57,32 @@ template <class Finish>
 HWY_INLINE void for_each_of_group(const ScanSetup& setup, const ScanStarts& starts,
                                   const ScanGroup& group, Workspace& work, Finish&& finish) {
   work.clear();
-  find_walls(starts, group, *setup.beams, work);
-  for (std::size_t i = 0; i < group.cell->stairs().size(); ++i) {
-    find_steps(starts, group, i, group.cell->stairs()[i], *setup.beams, work);
-  }
+  find_all(starts, group, *setup.beams, work);
   StartInCell scans[kBlock];
   for (std::uint32_t i = 0; i < group.count; ++i) scans[i] = group.start(i);
   cast_listed(setup, starts, {scans, group.count}, work, finish);
 }
 
-// Fewer scans from one cell than this are cast alone: lanes of a group that stay empty cost as much
-// as others. Where that turns was measured.
-HWY_INLINE std::uint32_t least_group() {
-  return static_cast<std::uint32_t>(std::max<std::size_t>(4, hn::Lanes(Floats()) * 3 / 8));
+// Fewer scans from one cell are cast alone: lanes of a group that stay empty cost as much as
+// others. Where that turns was measured.
+GroupSize group_size(const BeamTable& beams) {
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(Floats()));
+  // The buffers of a group should fit into the first-level cache.
+  constexpr std::size_t kBufferBytes = 32768;
+  const bool fits = lanes * beams.padded_rays() * sizeof(float) <= kBufferBytes;
+  return {fits ? std::max(4U, lanes * 3 / 8) : lanes, lanes};
 }
 
 // Calls `finish(scans)` for all scans, up to a block at a time; the order is open.
 template <class Finish>
 HWY_INLINE void cast_together(const ScanSetup& setup, const ScanStarts& starts, Workspace& work,
                               Finish&& finish) {
-  // The buffers of a group should fit into the first-level cache.
-  constexpr std::size_t kBufferBytes = 32768;
   const auto most = static_cast<std::uint32_t>(hn::Lanes(Floats()));
-  const bool fits = most * setup.beams->padded_rays() * sizeof(float) <= kBufferBytes;
-  work.alone.clear();
-  for (const ScanStarts::InCell& same : starts.cells) {
-    std::uint32_t done = 0;
-    while (fits && same.count - done >= least_group()) {
+  for (const ScanStarts::InCell& same : starts.groups) {
+    for (std::uint32_t done = 0; done < same.count; done += most) {
       const ScanGroup group{same.cell, same.first + done, std::min(same.count - done, most)};
       for_each_of_group(setup, starts, group, work, finish);
-      done += group.count;
     }
-    for (; done < same.count; ++done) work.alone.push_back({same.cell, same.first + done});
   }
   for_each_alone(setup, starts, work, finish);
 }

@@ -11,7 +11,7 @@ namespace mapwright::navcore::engine {
 namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 18U;
-constexpr std::size_t kFirstSlots = 64;
+constexpr double kMostCells = 1e9;  // in either direction
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void CellTable::insert(CellKey key, const PackedCell* cell) {
 }
 
 void CellTable::grow() {
-  std::vector<Slot> old(std::max(kFirstSlots, 2 * slots_.size()));
+  std::vector<Slot> old(2 * slots_.size());
   old.swap(slots_);
   size_ = 0;
   for (const Slot& slot : old) {
@@ -61,7 +61,7 @@ void CellTable::grow() {
 CellCache::CellCache(const Scene& scene, const Reach& reach, std::size_t budget_bytes)
     : scene_(&scene),
       reach_(reach),
-      cells_per_metre_(1.0 / reach.cell_size_m),
+      grid_{reach.cell_size_m, 1.0 / reach.cell_size_m, kMostCells * reach.cell_size_m},
       budget_bytes_(budget_bytes) {
   nowhere_ = pack(CellWalls{}, always_.allocate(packed_size(CellWalls{})));
 }

@@ -10,11 +10,11 @@
 
 #include "navcore/engine/cell_compiler.hpp"
 #include "navcore/engine/packed_cell.hpp"
+#include "navcore/engine/piece_poses.hpp"
 
 namespace mapwright::navcore::engine {
 
-/// A cell of the square grid over the plane; cell (0, 0) has its lower left corner at the origin of
-/// the map frame.
+/// A cell of the grid.
 struct CellKey {
   std::int32_t column = 0;
   std::int32_t row = 0;
@@ -32,12 +32,6 @@ inline std::size_t hash_of(CellKey key) {
 inline std::int32_t whole_cells(double x) {
   const auto truncated = static_cast<std::int32_t>(x);
   return truncated - (x < truncated ? 1 : 0);
-}
-
-/// True if cells have numbers at p.
-inline bool has_cell(Point p, double cell_size_m) {
-  constexpr double kMostCells = 1e9;  // in either direction
-  return std::abs(p.x) < kMostCells * cell_size_m && std::abs(p.y) < kMostCells * cell_size_m;
 }
 
 /// Memory that is only ever freed as a whole.
@@ -60,17 +54,25 @@ class Arena {
 /// Hash table from cells to their lists (open addressing).
 class CellTable {
  public:
-  const PackedCell* find(CellKey key) const {
-    if (slots_.empty()) return nullptr;
+  CellTable() : slots_(kFirstSlots) {}
+
+  /// Where the cell's list is, or would be.
+  std::size_t slot_of(CellKey key) const {
     std::size_t i = home(key);
     while (slots_[i].cell != nullptr && !(slots_[i].key == key)) i = (i + 1) & (slots_.size() - 1);
-    return slots_[i].cell;
+    return i;
   }
+  const PackedCell* cell_in(std::size_t slot) const { return slots_[slot].cell; }
+  std::size_t slots() const { return slots_.size(); }
+
+  const PackedCell* find(CellKey key) const { return cell_in(slot_of(key)); }
   void insert(CellKey key, const PackedCell* cell);  ///< requires that it is not in yet
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
 
  private:
+  static constexpr std::size_t kFirstSlots = 64;
+
   struct Slot {
     CellKey key;
     const PackedCell* cell = nullptr;
@@ -88,14 +90,22 @@ class CellTable {
 /// the former old one is freed; what is found in the old one moves to the young one. So what was
 /// used lately stays, and nothing is freed piece by piece.
 ///
-/// `find` may be called from many threads at once, `compile_missing` from one, and not meanwhile.
+/// `table` may be read by many threads at once; `compile_missing` may be called from one, and not
+/// meanwhile.
 class CellCache {
  public:
   CellCache(const Scene& scene, const Reach& reach, std::size_t budget_bytes);
 
-  const Reach& reach() const { return reach_; }
+  const CellGrid& grid() const { return grid_; }
+
+  /// True if cells have numbers at p.
+  bool has_cell(Point p) const {
+    return std::abs(p.x) < grid_.most_m && std::abs(p.y) < grid_.most_m;
+  }
+
+  /// The cell that p is in. Requires has_cell(p).
   CellKey key_of(Point p) const {
-    return {whole_cells(p.x * cells_per_metre_), whole_cells(p.y * cells_per_metre_)};
+    return {whole_cells(p.x * grid_.cells_per_metre), whole_cells(p.y * grid_.cells_per_metre)};
   }
 
   /// The centre of the cell.
@@ -103,10 +113,10 @@ class CellCache {
     return {(key.column + 0.5) * reach_.cell_size_m, (key.row + 0.5) * reach_.cell_size_m};
   }
 
-  /// The list of the cell, if it is among the young.
-  const PackedCell* find(CellKey key) const { return young_.table.find(key); }
+  /// The lists of the young cells.
+  const CellTable& table() const { return young_.table; }
 
-  /// Makes `find` find all these cells, until the next call; repeated keys are welcome. Compiles by
+  /// Makes all these cells young, until the next call; repeated keys are welcome. Compiles by
   /// up to `threads` threads.
   void compile_missing(std::span<const CellKey> keys, unsigned threads);
 
@@ -130,7 +140,7 @@ class CellCache {
 
   const Scene* scene_;
   Reach reach_;
-  double cells_per_metre_;
+  CellGrid grid_;
   std::size_t budget_bytes_;
   Generation young_, old_;
   Arena always_;

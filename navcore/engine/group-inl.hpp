@@ -73,20 +73,31 @@ class SharedEnd {
   FloatVector bearing_;
 };
 
-// Calls f(spans, segment) for those segments of a run that are not behind all of the `real` lanes.
+// The segments begin, …, end − 1 of a run.
+struct PartOfRun {
+  PartOfRun(SegmentRun whole) : run(whole), end(whole.count) {}
+  PartOfRun(SegmentRun whole, std::uint32_t from, std::uint32_t to)
+      : run(whole), begin(from), end(to) {}
+
+  SegmentRun run;
+  std::uint32_t begin = 0, end;
+};
+
+// Calls f(spans, segment) for those segments of a part that are not behind all of the `real` lanes.
 // Of a chain every end is computed once.
 template <class F>
-HWY_INLINE void for_each_segment(const PackedCell& cell, SegmentRun run, std::uint32_t begin,
-                                 std::uint32_t end, const LaserLanes& lasers, FloatMask real,
-                                 const BeamTable& beams, F&& f) {
+HWY_INLINE void for_each_segment(const PackedCell& cell, const PartOfRun& part,
+                                 const LaserLanes& lasers, FloatMask real, const BeamTable& beams,
+                                 F&& f) {
   const Floats d;
-  if (begin == end) return;
-  const float* const ax = cell.ends(run) - run.first;
+  if (part.begin == part.end) return;
+  const SegmentRun run = part.run;
+  const float* const ax = cell.ends(run);
   const float* const ay = ax + run.count;
   const float* const bx = ay + run.count;
   const float* const by = bx + run.count;
-  SharedEnd b(ax[begin], ay[begin], lasers);
-  for (std::uint32_t i = begin; i < end; ++i) {
+  SharedEnd b(ax[part.begin], ay[part.begin], lasers);
+  for (std::uint32_t i = part.begin; i < part.end; ++i) {
     const float x0 = ax[i], y0 = ay[i], x1 = bx[i], y1 = by[i];
     SharedEnd a = b.is_at(x0, y0) ? b : SharedEnd(x0, y0, lasers);
     b = SharedEnd(x1, y1, lasers);
@@ -94,106 +105,65 @@ HWY_INLINE void for_each_segment(const PackedCell& cell, SegmentRun run, std::ui
     if (beams.looks_ahead && hn::AllFalse(d, hn::AndNot(hidden, real))) continue;
     f(lane_spans({a.lanes, hn::Set(d, x1 - x0), hn::Set(d, y1 - y0), a.bearing(), b.bearing()},
                  lasers, beams),
-      i);
+      run.first + i);
   }
 }
 
-template <class F>
-HWY_INLINE void for_each_segment(const PackedCell& cell, SegmentRun run, const LaserLanes& lasers,
-                                 FloatMask real, const BeamTable& beams, F&& f) {
-  for_each_segment(cell, run, run.first, run.first + run.count, lasers, real, beams, f);
-}
-
-// Lists the walls and ramps that scans of a group may meet.
-HWY_INLINE void find_walls(const ScanStarts& starts, const ScanGroup& group, const BeamTable& beams,
-                           Workspace& work) {
-  const PackedCell& cell = *group.cell;
-  const LaserLanes lasers = lasers_of(starts, group);
-  const FloatMask real = hn::FirstN(Floats(), group.count);
-  const IntVector rows = hn::Load(Ints(), work.rows.data());
-  work.walls.make_room(2 * hn::Lanes(Floats()) * cell.size);
-  const auto append = [&](const LaneSpans& lanes, FloatMask valid, std::uint32_t segment)
-                          MAPWRIGHT_INLINE_LAMBDA {
-                            append_spans(lanes, valid, rows, beams, work.walls, NoNote());
-                            for_rare_lanes(hn::And(lanes.near_line, real), [&](std::uint32_t i) {
-                              work.touched_walls.push_back({group.start(i), segment, work.row(i)});
-                            });
-                          };
-  for_each_segment(cell, cell.two_sided(), lasers, real, beams,
-                   [&](const LaneSpans& lanes, std::uint32_t segment)
-                       MAPWRIGHT_INLINE_LAMBDA { append(lanes, real, segment); });
-  for_each_segment(cell, cell.one_sided(), lasers, real, beams,
+// Lists what scans of a group meet of some segments. The buffer of a scan is at its lane of `rows`.
+template <bool kTwoSided = true>
+HWY_INLINE void find(const ScanStarts& starts, const ScanGroup& group, const PartOfRun& part,
+                     const BeamTable& beams, IntVector rows, FoundSpans& found) {
+  const Floats d;
+  const Ints di;
+  const FloatMask real = hn::FirstN(d, group.count);
+  found.spans.make_room(2 * hn::Lanes(d) * (part.end - part.begin));
+  for_each_segment(*group.cell, part, lasers_of(starts, group), real, beams,
                    [&](const LaneSpans& lanes, std::uint32_t segment) MAPWRIGHT_INLINE_LAMBDA {
-                     append(lanes, hn::And(real, lanes.low_side), segment);
+                     const FloatMask valid = kTwoSided ? real : hn::And(real, lanes.low_side);
+                     append_spans(lanes, valid, rows, beams, found.spans);
+                     for_rare_lanes(hn::And(real, lanes.near_line), [&](std::uint32_t i) {
+                       HWY_ALIGN std::int32_t row_of[kBlock];
+                       hn::Store(rows, di, row_of);
+                       found.touched.push_back({group.start(i), segment, row_of[i]});
+                     });
                    });
 }
 
-// -- staircases
-
-// Rays that meet stops, in each lane, as ray_at() has them.
-struct StoppedRays {
-  HWY_INLINE StoppedRays() : first(hn::Set(Floats(), 2.0F * kWhole)), end(hn::Zero(Floats())) {}
-
-  HWY_INLINE void add(FloatMask lanes, FloatVector from, FloatVector to) {
-    first = hn::IfThenElse(lanes, hn::Min(first, from), first);
-    end = hn::IfThenElse(lanes, hn::Max(end, to), end);
+// Lists what scans of a group meet of staircases, each in rows of its own.
+HWY_NOINLINE void find_steps_with_rows(const ScanStarts& starts, const ScanGroup& group,
+                                       const BeamTable& beams, Workspace& work) {
+  const Ints di;
+  std::size_t first_row = 0;
+  for (const PackedStairs& stairs : group.cell->stairs()) {
+    const auto find_rows = [&](StairsRow row, SegmentRun run) HWY_ATTR {
+      const IntVector rows =
+          hn::Add(hn::Load(di, work.stairs_rows.data()), hn::Set(di, work.row(first_row + row)));
+      find(starts, group, run, beams, rows, work.steps);
+    };
+    find_rows(kTops, stairs.tops);
+    find_rows(kLowSteps, stairs.low_steps);
+    find_rows(kStops, stairs.stops);
+    for (std::size_t i = 0; i < group.count; ++i) {
+      work.stairs_views.push_back({i, first_row + i * kStairsRows});
+    }
+    first_row += kBlock * kStairsRows;
   }
-  HWY_INLINE void add_all(FloatMask lanes, const BeamTable& beams) {
-    const Floats d;
-    add(lanes, hn::Set(d, kWhole), hn::Set(d, kWhole + static_cast<float>(beams.rays)));
-  }
-  HWY_INLINE FloatMask any() const { return hn::Lt(first, end); }
-
-  FloatVector first, end;
-};
-
-HWY_INLINE StairsView stairs_view(std::size_t scan, std::size_t row, float first, float end) {
-  return {scan, row, static_cast<std::int32_t>(first - kWhole),
-          static_cast<std::int32_t>(end - kWhole)};
+  work.make_stairs_rows(first_row);
 }
 
-// Lists what those scans of a group see of a staircase that see stops.
-HWY_INLINE void find_steps(const ScanStarts& starts, const ScanGroup& group, std::size_t number,
-                           const PackedStairs& stairs, const BeamTable& beams, Workspace& work) {
-  const Floats d;
-  const Ints di;
-  const std::size_t first_row = number * kBlock * kStairsRows;
-  const LaserLanes lasers = lasers_of(starts, group);
-  FloatMask real = hn::FirstN(d, group.count);
-  StoppedRays stopped;
-  work.make_stairs_rows(first_row + kBlock * kStairsRows);
-  work.steps.make_room(2 * hn::Lanes(d) * group.cell->size);
-  const auto list = [&](std::uint32_t begin, std::uint32_t end,
-                        std::size_t part) MAPWRIGHT_INLINE_LAMBDA {
-    const IntVector rows =
-        hn::Add(hn::Load(di, work.stairs_rows.data()), hn::Set(di, work.row(first_row + part)));
-    for_each_segment(*group.cell, stairs.segments, begin, end, lasers, real, beams,
-                     [&](const LaneSpans& lanes, std::uint32_t segment) MAPWRIGHT_INLINE_LAMBDA {
-                       append_spans(lanes, real, rows, beams, work.steps,
-                                    [&](FloatMask seen, FloatVector from, FloatVector to)
-                                        MAPWRIGHT_INLINE_LAMBDA {
-                                          if (part == kStops) stopped.add(seen, from, to);
-                                        });
-                       const FloatMask touched = hn::And(lanes.near_line, real);
-                       if (part == kStops) stopped.add_all(touched, beams);
-                       for_rare_lanes(touched, [&](std::uint32_t i) {
-                         const auto row = work.row(first_row + i * kStairsRows + part);
-                         work.touched_steps.push_back({group.start(i), segment, row});
-                       });
-                     });
-  };
-  list(stairs.first_stop, stairs.segments.first + stairs.segments.count, kStops);
-  real = hn::And(real, stopped.any());
-  if (hn::AllFalse(d, real)) return;
-  list(stairs.first_low_step, stairs.first_stop, kLowSteps);
-  list(stairs.segments.first, stairs.first_low_step, kTops);
-  HWY_ALIGN float first[kBlock], end[kBlock];
-  hn::Store(stopped.first, d, first);
-  hn::Store(stopped.end, d, end);
-  for (std::uint32_t bits = bits_of(real); bits != 0; bits &= bits - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(bits));
-    work.stairs_views.push_back(stairs_view(i, first_row + i * kStairsRows, first[i], end[i]));
+// Lists what scans of a group meet.
+HWY_INLINE void find_all(const ScanStarts& starts, const ScanGroup& group, const BeamTable& beams,
+                         Workspace& work) {
+  const PackedCell& cell = *group.cell;
+  const IntVector rows = hn::Load(Ints(), work.rows.data());
+  const SegmentRun run = cell.two_sided();
+  find(starts, group, {run, 0, cell.first_stop}, beams, rows, work.walls);
+  find<false>(starts, group, cell.one_sided(), beams, rows, work.walls);
+  find(starts, group, {run, cell.first_stop, cell.first_top}, beams, rows, work.lone_stops);
+  if (!work.lone_stops.empty()) {
+    find(starts, group, {run, cell.first_top, run.count}, beams, rows, work.lone_tops);
   }
+  if (cell.stairs_count != 0) find_steps_with_rows(starts, group, beams, work);
 }
 
 }  // namespace mapwright::navcore::engine::HWY_NAMESPACE

@@ -14,13 +14,15 @@
 
 #include <algorithm>
 
+#include "navcore/engine/place-inl.hpp"
 #include "navcore/engine/weigh-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace mapwright::navcore::engine::HWY_NAMESPACE {
 
 Kernels kernels() {
-  return {hwy::TargetName(HWY_TARGET), HWY_TARGET, cast_scans, weigh_scans, turn_headings};
+  return {
+      hwy::TargetName(HWY_TARGET), HWY_TARGET, cast_scans, weigh_scans, group_size, place_poses};
 }
 
 }  // namespace mapwright::navcore::engine::HWY_NAMESPACE

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "navcore/engine/beam_table.hpp"
+#include "navcore/engine/piece_poses.hpp"
 #include "navcore/engine/scan_starts.hpp"
 #include "navcore/engine/scan_weight.hpp"
 #include "navcore/engine/scene.hpp"
@@ -24,6 +25,12 @@ struct ScanSetup {
   float behind_m = 0.0F;
 };
 
+/// How many scans from one cell share work.
+struct GroupSize {
+  std::uint32_t least;
+  std::uint32_t most;  ///< a power of two
+};
+
 /// The kernels of one instruction set.
 struct Kernels {
   std::string_view name;
@@ -36,8 +43,11 @@ struct Kernels {
   void (*weigh)(const ScanSetup&, const ScanStarts&, Workspace&, const ScanWeight&,
                 double* log_weights);
 
-  /// Cosines and sines of headings in radians.
-  void (*turn)(std::span<const double> headings, double* cosines, double* sines);
+  GroupSize (*group_size)(const BeamTable&);
+
+  /// Finds the cells of the first `count` poses and where in them the poses are. Up to a line of
+  /// what lies beyond is overwritten.
+  void (*place)(const CellGrid&, std::size_t count, PiecePoses&);
 };
 
 /// Kernels of all instruction sets this machine has and the build knows, best first; the last is

@@ -1,6 +1,8 @@
 #include "navcore/engine/packed_cell.hpp"
 
+#include <initializer_list>
 #include <new>
+#include <span>
 #include <vector>
 
 namespace mapwright::navcore::engine {
@@ -16,6 +18,12 @@ std::size_t segments_of(const CellWalls& walls) {
   return segments;
 }
 
+// The staircase that stands with the walls, if there is one.
+const CellStairs* lone_stairs(const CellWalls& walls) {
+  if (walls.stairs.size() != 1 || !walls.stairs[0].low_steps.empty()) return nullptr;
+  return &walls.stairs[0];
+}
+
 constexpr std::size_t size_in_bytes(std::size_t segments, std::size_t stairs) {
   return sizeof(PackedCell) + stairs * sizeof(PackedStairs) +
          segments * (4 * sizeof(float) + sizeof(std::uint32_t));
@@ -26,44 +34,33 @@ class SegmentWriter {
  public:
   SegmentWriter(float* floats, std::uint32_t* items) : floats_(floats), items_(items) {}
 
-  void begin(std::size_t count) { run_ = {next_, static_cast<std::uint32_t>(count)}; }
-  const SegmentRun& run() const { return run_; }
-  std::uint32_t next() const { return next_; }
-
-  void write(const std::vector<CellWall>& walls) {
-    for (const CellWall& wall : walls) {
-      float* const at = floats_ + std::size_t{4} * run_.first + (next_ - run_.first);
-      at[0] = static_cast<float>(wall.a.x);
-      at[std::size_t{1} * run_.count] = static_cast<float>(wall.a.y);
-      at[std::size_t{2} * run_.count] = static_cast<float>(wall.b.x);
-      at[std::size_t{3} * run_.count] = static_cast<float>(wall.b.y);
-      items_[next_++] = wall.item;
+  SegmentRun write(std::initializer_list<std::span<const CellWall>> parts) {
+    SegmentRun run{next_, 0};
+    for (const auto& part : parts) run.count += static_cast<std::uint32_t>(part.size());
+    float* at = floats_ + std::size_t{4} * run.first;
+    for (const auto& part : parts) {
+      for (const CellWall& wall : part) {
+        at[0] = static_cast<float>(wall.a.x);
+        at[std::size_t{1} * run.count] = static_cast<float>(wall.a.y);
+        at[std::size_t{2} * run.count] = static_cast<float>(wall.b.x);
+        at[std::size_t{3} * run.count] = static_cast<float>(wall.b.y);
+        ++at;
+        items_[next_++] = wall.item;
+      }
     }
+    return run;
   }
 
  private:
   float* floats_;
   std::uint32_t* items_;
-  SegmentRun run_;
   std::uint32_t next_ = 0;
 };
-
-PackedStairs pack(const CellStairs& stairs, SegmentWriter& writer) {
-  PackedStairs packed;
-  writer.begin(segments_of(stairs));
-  packed.segments = writer.run();
-  writer.write(stairs.tops);
-  packed.first_low_step = writer.next();
-  writer.write(stairs.low_steps);
-  packed.first_stop = writer.next();
-  writer.write(stairs.stops);
-  return packed;
-}
 
 }  // namespace
 
 std::size_t packed_size(const CellWalls& walls) {
-  return size_in_bytes(segments_of(walls), walls.stairs.size());
+  return size_in_bytes(segments_of(walls), lone_stairs(walls) ? 0 : walls.stairs.size());
 }
 
 std::size_t packed_size(const PackedCell& cell) {
@@ -71,20 +68,24 @@ std::size_t packed_size(const PackedCell& cell) {
 }
 
 const PackedCell* pack(const CellWalls& walls, std::byte* memory) {
+  const CellStairs* const lone = lone_stairs(walls);
   auto* const cell = new (memory) PackedCell;
   cell->size = static_cast<std::uint32_t>(segments_of(walls));
-  cell->two_sided_count = static_cast<std::uint32_t>(walls.two_sided.size());
-  cell->one_sided_count = static_cast<std::uint32_t>(walls.one_sided.size());
-  cell->stairs_count = static_cast<std::uint32_t>(walls.stairs.size());
+  cell->first_stop = static_cast<std::uint32_t>(walls.two_sided.size());
+  cell->first_top = cell->first_stop + static_cast<std::uint32_t>(lone ? lone->stops.size() : 0);
+  cell->stairs_count = lone ? 0 : static_cast<std::uint32_t>(walls.stairs.size());
   auto* stairs = reinterpret_cast<PackedStairs*>(cell + 1);
-  auto* const floats = reinterpret_cast<float*>(stairs + walls.stairs.size());
+  auto* const floats = reinterpret_cast<float*>(stairs + cell->stairs_count);
   SegmentWriter writer(floats,
                        reinterpret_cast<std::uint32_t*>(floats + std::size_t{4} * cell->size));
-  writer.begin(walls.two_sided.size());
-  writer.write(walls.two_sided);
-  writer.begin(walls.one_sided.size());
-  writer.write(walls.one_sided);
-  for (const CellStairs& s : walls.stairs) *stairs++ = pack(s, writer);
+  const SegmentRun two_sided = lone ? writer.write({walls.two_sided, lone->stops, lone->tops})
+                                    : writer.write({walls.two_sided});
+  cell->two_sided_count = two_sided.count;
+  cell->one_sided_count = writer.write({walls.one_sided}).count;
+  if (lone) return cell;
+  for (const CellStairs& s : walls.stairs) {
+    *stairs++ = {writer.write({s.tops}), writer.write({s.low_steps}), writer.write({s.stops})};
+  }
   return cell;
 }
 

@@ -16,11 +16,9 @@ struct SegmentRun {
   std::uint32_t count = 0;
 };
 
-/// The segments of a staircase: tops first, then low steps, then stops.
+/// The segments of a staircase.
 struct PackedStairs {
-  SegmentRun segments;
-  std::uint32_t first_low_step = 0;
-  std::uint32_t first_stop = 0;
+  SegmentRun tops, low_steps, stops;
 };
 
 /// CellWalls in one piece of memory, as few cache lines as can be: this header, the staircases, and
@@ -29,9 +27,16 @@ struct PackedStairs {
 /// that begins in a run and ends beyond it.
 struct PackedCell {
   std::uint32_t size = 0;  ///< segments of all runs
+
+  /// The first run: walls, then a lone staircase's stops from first_stop on, and its tops from
+  /// first_top on. A staircase is lone if it is the only one and no low steps matter: the rule of
+  /// figure 6 needs no ranges then apart from the scan's.
   std::uint32_t two_sided_count = 0;
-  std::uint32_t one_sided_count = 0;
-  std::uint32_t stairs_count = 0;
+  std::uint32_t first_stop = 0;
+  std::uint32_t first_top = 0;
+
+  std::uint32_t one_sided_count = 0;  ///< the second run
+  std::uint32_t stairs_count = 0;     ///< staircases that are not lone
 
   SegmentRun two_sided() const { return {0, two_sided_count}; }
   SegmentRun one_sided() const { return {two_sided_count, one_sided_count}; }

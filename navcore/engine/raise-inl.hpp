@@ -20,12 +20,32 @@ HWY_BEFORE_NAMESPACE();
 namespace mapwright::navcore::engine::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// What becomes of rays that meet a segment at inverse ranges `value`: it stops them,
+struct Stop {
+  HWY_INLINE FloatVector operator()(FloatVector old, FloatMask met, FloatVector value) const {
+    return hn::Max(old, hn::IfThenElseZero(met, value));
+  }
+};
+
+// or where they meet it first, they go on as if nothing stood behind it.
+struct Cross {
+  HWY_INLINE FloatVector operator()(FloatVector old, FloatMask met, FloatVector value) const {
+    const FloatMask crossed = hn::And(met, hn::Gt(value, old));
+    return hn::IfThenElse(crossed, hn::Set(Floats(), out_of_range), old);
+  }
+
+  float out_of_range;
+};
+
 /// The arrays that raising reads and writes. Copies of pointers tell the compiler that no store
 /// changes them.
+template <class Meet>
 class Raise {
  public:
-  HWY_INLINE Raise(const BeamTable& beams, const SpanList& spans, float* HWY_RESTRICT buffers)
-      : cosine_(beams.cosine.data()),
+  HWY_INLINE Raise(const BeamTable& beams, const SpanList& spans, float* HWY_RESTRICT buffers,
+                   Meet meet)
+      : meet_(meet),
+        cosine_(beams.cosine.data()),
         sine_(beams.sine.data()),
         number_(beams.number.data()),
         spans_(reinterpret_cast<const float*>(spans.blocks.data())),
@@ -98,9 +118,10 @@ class Raise {
     const FloatVector value = hn::MulAdd(span.cosine, hn::Load(d, cosine_ + ray),
                                          hn::Mul(span.sine, hn::Load(d, sine_ + ray)));
     const FloatVector old = hn::Load(d, buffers_ + at);
-    hn::Store(hn::Max(old, hn::IfThenElseZero(met, value)), d, buffers_ + at);
+    hn::Store(meet_(old, met, value), d, buffers_ + at);
   }
 
+  Meet meet_;
   const float* HWY_RESTRICT cosine_;
   const float* HWY_RESTRICT sine_;
   const std::int32_t* HWY_RESTRICT number_;
@@ -110,9 +131,11 @@ class Raise {
 
 // Raises the buffers to what the spans say, in rounds: the first rays of all spans, then more of
 // those that have more. How many rays a span has is a coin that branch prediction loses.
-HWY_INLINE void raise_spans(const BeamTable& beams, const SpanList& spans, float* buffers) {
+template <class Meet = Stop>
+HWY_INLINE void raise_spans(const BeamTable& beams, const SpanList& spans, float* buffers,
+                            Meet meet = {}) {
   if (spans.lanes == 0) return;
-  const Raise raise(beams, spans, buffers);
+  const Raise raise(beams, spans, buffers, meet);
   const auto for_lanes = [](const LaneList& list, auto&& f) MAPWRIGHT_INLINE_LAMBDA {
     const std::int32_t* HWY_RESTRICT const lanes = list.lanes.data();
     const std::size_t size = list.size;

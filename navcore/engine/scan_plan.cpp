@@ -45,9 +45,9 @@ std::size_t ScanPlan::cell_bytes() const {
 bool ScanPlan::try_piece(std::span<const Pose> poses, std::size_t first, const Kernels& kernels,
                          const Work& work, Workspace& workspace) const {
   const std::span<const Pose> own = poses.subspan(first, std::min(kPiece, poses.size() - first));
-  Piece piece(own, cells_);
-  if (!piece.find_cells()) return false;
-  work(first, own.size(), piece.starts(kernels), workspace);
+  Piece piece(own, cells_, workspace.marks);
+  if (!piece.find_cells(kernels)) return false;
+  work(first, own.size(), piece.starts(kernels, beams_), workspace);
   return true;
 }
 
@@ -56,7 +56,7 @@ void ScanPlan::compile_for(std::span<const Pose> poses, unsigned threads) const 
   std::vector<CellKey> keys;
   keys.reserve(poses.size());
   for (const Pose& pose : poses) {
-    if (has_cell(pose.position(), cells_.reach().cell_size_m)) {
+    if (cells_.has_cell(pose.position())) {
       keys.push_back(cells_.key_of(pose.position()));
     }
   }

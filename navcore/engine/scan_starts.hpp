@@ -9,7 +9,13 @@
 
 namespace mapwright::navcore::engine {
 
-/// Where some scans start: those in one cell follow each other, since they share work.
+/// One of the starts.
+struct StartInCell {
+  const PackedCell* cell;
+  std::uint32_t start;
+};
+
+/// Where some scans start.
 struct ScanStarts {
   /// The starts first, first + 1, …
   struct InCell {
@@ -17,9 +23,12 @@ struct ScanStarts {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  std::span<const InCell> cells;
 
-  /// By start; a block more than there are starts may be read.
+  /// Scans that share their cell with too few others: the starts 0, 1, …
+  std::span<const StartInCell> alone;
+  std::span<const InCell> groups;  ///< the others: those in one cell share work
+
+  /// By start, aligned to a line; a block more than there are starts may be read.
   const float* x = nullptr;  ///< metres, relative to the cell's centre
   const float* y = nullptr;
   const float* cosine = nullptr;  ///< of the heading

@@ -25,22 +25,27 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Views that are searched together: as many as a vector has lanes, to look lasers up in registers.
 constexpr std::size_t kTogether = hn::MaxLanes(Floats());
 
-HWY_INLINE void set_laser(const ScanStarts& starts, std::uint32_t start, std::size_t view,
-                          LaserTable& lasers) {
-  lasers.x[view] = starts.x[start];
-  lasers.y[view] = starts.y[start];
-  lasers.cosine[view] = starts.cosine[start];
-  lasers.sine[view] = starts.sine[start];
-}
+// Lasers of scans that are cast together. What lies further behind its laser than `behind_m` comes
+// near no ray to the front or to the sides.
+struct LaserTable {
+  // Requires that `first` is a whole number of vectors.
+  HWY_INLINE LaserTable(const ScanStarts& starts, std::size_t first, float behind_m)
+      : x(starts.x + first),
+        y(starts.y + first),
+        cosine(starts.cosine + first),
+        sine(starts.sine + first) {
+    const Floats d;
+    const FloatVector across = hn::Mul(hn::Load(d, y), hn::Load(d, sine));
+    const FloatVector at = hn::MulAdd(hn::Load(d, x), hn::Load(d, cosine), across);
+    hn::Store(hn::Sub(at, hn::Set(d, behind_m)), d, least);
+  }
 
-// What lies further behind its laser than `behind_m` comes near no ray to the front or to the
-// sides.
-HWY_INLINE void set_least(float behind_m, LaserTable& lasers) {
-  const Floats d;
-  const FloatVector across = hn::Mul(hn::Load(d, lasers.y), hn::Load(d, lasers.sine));
-  const FloatVector at = hn::MulAdd(hn::Load(d, lasers.x), hn::Load(d, lasers.cosine), across);
-  hn::Store(hn::Sub(at, hn::Set(d, behind_m)), d, lasers.least);
-}
+  const float* x;
+  const float* y;
+  const float* cosine;
+  const float* sine;
+  alignas(kLine) float least[kBlock];  ///< of x · cosine + y · sine that is not behind the laser
+};
 
 // The ends of segments, and zeros: what stands behind them in memory are whole numbers, and as
 // floats those would be so small that they cost a hundred cycles.
@@ -67,10 +72,20 @@ HWY_INLINE FloatMask in_front(const Ends& ends, const LaserTable& lasers, std::s
   return hn::Gt(hn::Max(a, b), hn::Set(d, lasers.least[view]));
 }
 
-// What a view may meet: a run of a cell's list.
+// Where candidates come from: kBlock · segment of the run + view, and what a segment of a lone
+// staircase is.
+constexpr std::int32_t kIsStop = 1 << 29, kIsTop = 2 * kIsStop;
+
+constexpr std::uint32_t segment_of(std::int32_t source) {
+  return static_cast<std::uint32_t>(source % kIsStop) / static_cast<std::uint32_t>(kBlock);
+}
+
+// What a view may meet: a run of a cell's list. Segments from first_stop on are stops, and from
+// first_top on tops, of a lone staircase.
 struct ViewedRun {
   const PackedCell* cell;
   SegmentRun run;
+  std::uint32_t first_stop = INT32_MAX, first_top = INT32_MAX;
 };
 
 // Makes candidates of those of a run's segments in the vector from `skip` on that the view may
@@ -90,26 +105,34 @@ HWY_INLINE void search_vector(const ScanSetup& setup, const ViewedRun& viewed, s
   hn::StoreU(lanes.pack(ends.ay), d, candidates.ay.data() + at);
   hn::StoreU(lanes.pack(ends.bx), d, candidates.bx.data() + at);
   hn::StoreU(lanes.pack(ends.by), d, candidates.by.data() + at);
-  const auto source = static_cast<std::int32_t>((run.first + skip) * kBlock + view);
-  hn::StoreU(hn::Add(hn::ShiftLeft<4>(lanes.numbers()), hn::Set(di, source)), di,
-             candidates.source.data() + at);
+  const IntVector number =
+      hn::Add(lanes.numbers(), hn::Set(di, static_cast<std::int32_t>(run.first + skip)));
+  const auto kind = [&](std::uint32_t first, std::int32_t bit) MAPWRIGHT_INLINE_LAMBDA {
+    const auto is_before = hn::Gt(hn::Set(di, static_cast<std::int32_t>(first)), number);
+    return hn::IfThenZeroElse(is_before, hn::Set(di, bit));
+  };
+  const IntVector source =
+      hn::Add(hn::ShiftLeft<4>(number), hn::Set(di, static_cast<std::int32_t>(view)));
+  const IntVector kinds =
+      hn::Add(kind(viewed.first_stop, kIsStop), kind(viewed.first_top, kIsTop - kIsStop));
+  hn::StoreU(hn::Add(source, kinds), di, candidates.source.data() + at);
   candidates.size += lanes.count();
 }
 
-// Makes candidates of those segments that up to kTogether views may meet; run_of(view) is what to
-// search, ask_ahead(view) is called in between. Whether a run goes on after a vector is a coin that
-// branch prediction loses: those that do come last.
-template <class RunOf, class AskAhead>
-HWY_INLINE void search(const ScanSetup& setup, std::size_t views, LaserTable& lasers,
-                       Candidates& candidates, RunOf&& run_of, AskAhead&& ask_ahead) {
-  set_least(setup.behind_m, lasers);
+// Makes more candidates, of those segments that up to kTogether views may meet; the k-th is
+// view_of(k), run_of(view) is what to search, ask_ahead(view) is called in between. Whether a run
+// goes on after a vector is a coin that branch prediction loses: those that do come last.
+template <class ViewOf, class RunOf, class AskAhead>
+HWY_INLINE void search(const ScanSetup& setup, std::size_t views, const LaserTable& lasers,
+                       Candidates& candidates, ViewOf&& view_of, RunOf&& run_of,
+                       AskAhead&& ask_ahead) {
   std::size_t room = 0;
-  for (std::size_t view = 0; view < views; ++view) room += run_of(view).run.count + kTogether;
-  candidates.size = 0;
+  for (std::size_t k = 0; k < views; ++k) room += run_of(view_of(k)).run.count + kTogether;
   candidates.make_room(room);
   std::size_t longer[kTogether];
   std::size_t count = 0;
-  for (std::size_t view = 0; view < views; ++view) {
+  for (std::size_t k = 0; k < views; ++k) {
+    const std::size_t view = view_of(k);
     const ViewedRun viewed = run_of(view);
     search_vector(setup, viewed, 0, view, lasers, candidates);
     ask_ahead(view);
@@ -124,8 +147,7 @@ HWY_INLINE void search(const ScanSetup& setup, std::size_t views, LaserTable& la
   }
 }
 
-// Calls f(spans, real lanes, views, segments of their lists) for the candidates, a vector at a
-// time.
+// Calls f(spans, real lanes, views, where they come from) for the candidates, a vector at a time.
 template <class F>
 HWY_INLINE void for_each_candidate(const Candidates& candidates, const LaserTable& lasers,
                                    const BeamTable& beams, F&& f) {
@@ -147,7 +169,7 @@ HWY_INLINE void for_each_candidate(const Candidates& candidates, const LaserTabl
     const FloatVector by = hn::Load(d, candidates.by.data() + i);
     const EndLanes a(ax, ay, laser), b(bx, by, laser);
     f(lane_spans({a, hn::Sub(bx, ax), hn::Sub(by, ay), a.bearing(), b.bearing()}, laser, beams),
-      real, view, hn::ShiftRight<4>(source));
+      real, view, source);
   }
 }
 

@@ -60,12 +60,10 @@ HWY_INLINE void append(FloatMask mask, std::size_t first_lane, LaneList& list) {
 }
 
 // Appends those of the lanes' spans from … to that are `valid` and have rays. `row` is where the
-// lanes' buffers are; calls note(lanes with rays, first, end), the rays as ray_at() has them.
-// Requires room.
-template <class Note>
+// lanes' buffers are. Requires room.
 HWY_INLINE void append_spans(const LaneSpans& lanes, FloatVector from, FloatVector to,
-                             FloatMask valid, IntVector row, const BeamTable& beams, SpanList& list,
-                             Note&& note) {
+                             FloatMask valid, IntVector row, const BeamTable& beams,
+                             SpanList& list) {
   const Floats d;
   const Ints di;
   const FloatVector none = hn::Zero(d);
@@ -73,7 +71,6 @@ HWY_INLINE void append_spans(const LaneSpans& lanes, FloatVector from, FloatVect
   const FloatVector whole_first = ray_at(from, none, rays, beams);
   const FloatVector whole_end = ray_at(to, none, rays, beams);
   const FloatMask seen = hn::And(valid, hn::Lt(whole_first, whole_end));
-  note(seen, whole_first, whole_end);
   const IntVector number = hn::Set(di, kWholeNumber);
   const IntVector first = hn::And(hn::BitCast(di, whole_first), number);
   const IntVector end = hn::And(hn::BitCast(di, whole_end), number);
@@ -97,23 +94,16 @@ HWY_INLINE void append_spans(const LaneSpans& lanes, FloatVector from, FloatVect
 
 // Appends the lanes' spans; those that are seen at both ends of the field of view, around the back,
 // twice. Requires room.
-template <class Note>
 HWY_INLINE void append_spans(const LaneSpans& lanes, FloatMask valid, IntVector row,
-                             const BeamTable& beams, SpanList& list, Note&& note) {
+                             const BeamTable& beams, SpanList& list) {
   const Floats d;
   valid = hn::And(valid, lanes.valid);
-  append_spans(lanes, lanes.from, lanes.to, valid, row, beams, list, note);
+  append_spans(lanes, lanes.from, lanes.to, valid, row, beams, list);
   const FloatMask twice = hn::And(valid, lanes.twice);
   if (HWY_LIKELY(hn::AllFalse(d, twice))) return;
   const FloatVector turn = hn::Set(d, kFullTurn);
-  append_spans(lanes, hn::Add(lanes.from, turn), hn::Add(lanes.to, turn), twice, row, beams, list,
-               note);
+  append_spans(lanes, hn::Add(lanes.from, turn), hn::Add(lanes.to, turn), twice, row, beams, list);
 }
-
-// For spans that nobody takes note of.
-struct NoNote {
-  HWY_INLINE void operator()(FloatMask, FloatVector, FloatVector) const {}
-};
 
 }  // namespace mapwright::navcore::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -216,21 +216,6 @@ void weigh_scans(const ScanSetup& setup, const ScanStarts& starts, Workspace& wo
   });
 }
 
-void turn_headings(std::span<const double> headings, double* cosines, double* sines) {
-  const hn::ScalableTag<double> d;
-  const std::size_t lanes = hn::Lanes(d);
-  std::size_t i = 0;
-  for (; i + lanes <= headings.size(); i += lanes) {
-    const auto heading = hn::LoadU(d, headings.data() + i);
-    hn::StoreU(hn::Cos(d, heading), d, cosines + i);
-    hn::StoreU(hn::Sin(d, heading), d, sines + i);
-  }
-  for (; i < headings.size(); ++i) {
-    cosines[i] = std::cos(headings[i]);
-    sines[i] = std::sin(headings[i]);
-  }
-}
-
 }  // namespace mapwright::navcore::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -8,16 +8,10 @@
 
 #include "navcore/engine/aligned.hpp"
 #include "navcore/engine/candidates.hpp"
-#include "navcore/engine/packed_cell.hpp"
+#include "navcore/engine/scan_starts.hpp"
 #include "navcore/engine/span_list.hpp"
 
 namespace mapwright::navcore::engine {
-
-/// One of the starts.
-struct StartInCell {
-  const PackedCell* cell;
-  std::uint32_t start;
-};
 
 /// A segment whose line runs through a laser, nearly: for double precision.
 struct TouchedItem {
@@ -26,19 +20,22 @@ struct TouchedItem {
   std::int32_t row;       ///< place of the buffer that it belongs to
 };
 
-/// More than rays have numbers.
-inline constexpr std::int32_t kNoRay = INT32_MAX;
-
-/// A staircase of which a scan sees steps that stop rays.
-struct StairsView {
-  std::size_t scan;         ///< position among those cast together
-  std::size_t row;          ///< of three rows: tops, low steps, stops
-  std::int32_t first, end;  ///< rays that meet stops, and those between
-
-  void add(std::int32_t more_first, std::int32_t more_end) {
-    first = std::min(first, more_first);
-    end = std::max(end, more_end);
+/// What scans meet.
+struct FoundSpans {
+  void clear() {
+    spans.clear();
+    touched.clear();
   }
+  bool empty() const { return spans.seen.size == 0 && touched.empty(); }
+
+  SpanList spans;
+  std::vector<TouchedItem> touched;  ///< rarely any
+};
+
+/// A staircase that needs rows of its own.
+struct StairsView {
+  std::size_t scan;  ///< position among those cast together
+  std::size_t row;   ///< of three rows: tops, low steps, stops
 };
 
 /// Memory of one thread.
@@ -58,10 +55,7 @@ class Workspace {
 
   /// Forgets what is listed.
   void clear() {
-    walls.clear();
-    steps.clear();
-    touched_walls.clear();
-    touched_steps.clear();
+    for (FoundSpans* found : {&walls, &lone_stops, &lone_tops, &steps}) found->clear();
     stairs_views.clear();
   }
 
@@ -73,17 +67,16 @@ class Workspace {
   /// Inverse ranges (1/m) of the i-th scan.
   float* inverse(std::size_t i) { return inverses.data() + row(i); }
 
-  AlignedFloats inverses;   ///< of some scans, row by row
-  AlignedFloats stairs;     ///< of tops, low steps and stops, row by row
-  AlignedInts rows;         ///< row(0), row(1), …
-  AlignedInts stairs_rows;  ///< row(0), row(3), …
-  SpanList walls;           ///< and ramps, for the rows of `inverses`
-  SpanList steps;           ///< and tops, for the rows of `stairs`
-  std::vector<TouchedItem> touched_walls, touched_steps;  ///< rarely any
+  AlignedFloats inverses;            ///< of some scans, row by row
+  AlignedFloats stairs;              ///< of tops, low steps and stops, row by row
+  AlignedInts rows;                  ///< row(0), row(1), …
+  AlignedInts stairs_rows;           ///< row(0), row(3), …
+  FoundSpans walls;                  ///< and ramps, for the rows of `inverses`
+  FoundSpans lone_stops, lone_tops;  ///< of lone staircases, for the rows of `inverses`
+  FoundSpans steps;                  ///< and tops of others, for the rows of `stairs`
   std::vector<StairsView> stairs_views;
-  LaserTable lasers, stairs_lasers;
   Candidates candidates;
-  std::vector<StartInCell> alone;  ///< scans that share their cell with too few others
+  std::vector<std::uint16_t> marks;  ///< of the cells that a piece visits
 
  private:
   std::size_t padded_rays_;

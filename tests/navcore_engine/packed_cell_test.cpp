@@ -43,14 +43,39 @@ TEST(PackedCell, HoldsRunsOfAnyLength) {
   EXPECT_EQ(packed_size(cell), packed_size(walls));
   EXPECT_EQ(cell.size, 47U);
   expect_run(cell, cell.two_sided(), 0, 19);
+  EXPECT_EQ(cell.first_stop, 19U);
+  EXPECT_EQ(cell.first_top, 19U);
   expect_run(cell, cell.one_sided(), 19, 3);
   ASSERT_EQ(cell.stairs().size(), 2U);
-  const PackedStairs& low = cell.stairs()[0];
-  expect_run(cell, low.segments, 22, 7);
-  EXPECT_EQ(low.first_low_step, 24U);
-  EXPECT_EQ(low.first_stop, 28U);
-  expect_run(cell, cell.stairs()[1].segments, 29, 18);
-  EXPECT_EQ(cell.stairs()[1].first_stop, 30U);
+  expect_run(cell, cell.stairs()[0].tops, 22, 2);
+  expect_run(cell, cell.stairs()[0].low_steps, 24, 4);
+  expect_run(cell, cell.stairs()[0].stops, 28, 1);
+  expect_run(cell, cell.stairs()[1].tops, 29, 1);
+  expect_run(cell, cell.stairs()[1].stops, 30, 17);
+}
+
+TEST(PackedCell, ALoneStaircaseStandsWithTheWalls) {
+  CellWalls walls;
+  walls.two_sided = segments(0, 5);
+  walls.stairs.push_back({segments(5, 3), {}, segments(8, 2)});
+  walls.one_sided = segments(10, 1);
+  AlignedFloats memory(packed_size(walls) / sizeof(float) + 1);
+  const PackedCell& cell = *pack(walls, reinterpret_cast<std::byte*>(memory.data()));
+  EXPECT_EQ(packed_size(cell), packed_size(walls));
+  expect_run(cell, cell.two_sided(), 0, 10);
+  EXPECT_EQ(cell.first_stop, 5U);
+  EXPECT_EQ(cell.first_top, 8U);
+  expect_run(cell, cell.one_sided(), 10, 1);
+  EXPECT_TRUE(cell.stairs().empty());
+}
+
+TEST(PackedCell, LowStepsKeepAStaircaseApart) {
+  CellWalls walls;
+  walls.stairs.push_back({segments(2, 1), segments(1, 1), segments(0, 1)});
+  AlignedFloats memory(packed_size(walls) / sizeof(float) + 1);
+  const PackedCell& cell = *pack(walls, reinterpret_cast<std::byte*>(memory.data()));
+  EXPECT_EQ(cell.two_sided().count, 0U);
+  EXPECT_EQ(cell.stairs().size(), 1U);
 }
 
 TEST(PackedCell, MayBeEmpty) {
