@@ -120,8 +120,8 @@ HWY_NOINLINE void find_steps_with_rows(const ScanSetup& setup, ScansTogether sca
   }
 }
 
-// Lists what scans meet. Asks for the lists of those that are next, one by one: all at once they
-// would queue up.
+// Lists what scans meet. Asks for the lists of those that are next and clears the buffers one by
+// one: all at once they would queue up.
 HWY_INLINE void find_all(const ScanSetup& setup, ScansTogether scans, ScansTogether next,
                          const LaserTable& lasers, Workspace& work) {
   const Floats d;
@@ -140,6 +140,7 @@ HWY_INLINE void find_all(const ScanSetup& setup, ScansTogether scans, ScansToget
         with_ramps.add_if(scans[i].cell->one_sided_count != 0, i);
         with_stairs.add_if(scans[i].cell->stairs_count != 0, i);
         if (i < next.size()) ask_for(*next[i].cell);
+        clear_inverse(*setup.beams, work.inverse(i));
       });
   for (FoundSpans* found : {&work.walls, &work.lone_stops, &work.lone_tops}) {
     found->spans.make_room(2 * candidates.size);

@@ -27,8 +27,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class Finish>
 HWY_INLINE void cast_listed(const ScanSetup& setup, const ScanStarts& starts, ScansTogether scans,
                             Workspace& work, Finish&& finish) {
-  const BeamTable& beams = *setup.beams;
-  fill(work.inverses.data(), scans.size() * beams.padded_rays(), beams.out_of_range);
   raise_lone_stairs(setup, starts, work);
   raise_found(setup, starts, work.walls, work.inverses.data());
   if (!work.stairs_views.empty()) raise_stairs(setup, starts, work);
@@ -57,6 +55,7 @@ template <class Finish>
 HWY_INLINE void for_each_of_group(const ScanSetup& setup, const ScanStarts& starts,
                                   const ScanGroup& group, Workspace& work, Finish&& finish) {
   work.clear();
+  for (std::size_t i = 0; i < group.count; ++i) clear_inverse(*setup.beams, work.inverse(i));
   find_all(starts, group, *setup.beams, work);
   StartInCell scans[kBlock];
   for (std::uint32_t i = 0; i < group.count; ++i) scans[i] = group.start(i);

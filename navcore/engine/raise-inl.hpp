@@ -152,6 +152,11 @@ HWY_INLINE void fill(float* array, std::size_t size, float value) {
   for (std::size_t i = 0; i < size; i += hn::Lanes(d)) hn::Store(v, d, array + i);
 }
 
+// Nothing stops the rays of a scan. What lies behind the last block with rays is never read.
+HWY_INLINE void clear_inverse(const BeamTable& beams, float* inverse) {
+  fill(inverse, beams.padded_rays() - kBlock, beams.out_of_range);
+}
+
 }  // namespace mapwright::navcore::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
