@@ -55,10 +55,12 @@ template <class Finish>
 HWY_INLINE void for_each_of_group(const ScanSetup& setup, const ScanStarts& starts,
                                   const ScanGroup& group, Workspace& work, Finish&& finish) {
   work.clear();
-  for (std::size_t i = 0; i < group.count; ++i) clear_inverse(*setup.beams, work.inverse(i));
   find_all(starts, group, *setup.beams, work);
   StartInCell scans[kBlock];
-  for (std::uint32_t i = 0; i < group.count; ++i) scans[i] = group.start(i);
+  for (std::uint32_t i = 0; i < group.count; ++i) {
+    scans[i] = group.start(i);
+    clear_inverse(*setup.beams, work.inverse(i));
+  }
   cast_listed(setup, starts, {scans, group.count}, work, finish);
 }
 
