@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "navcore/rays/brute_force_ray_caster.hpp"
 #include "tests/navcore/hand_made_maps.hpp"
 #include "tests/navcore_engine/engines.hpp"
 
@@ -76,6 +77,57 @@ TEST(ScanEngineRules, ARayFromTheFlankMeetsStepsBetweenTops) {
                 kClose);
     EXPECT_EQ(look(engine, {3, 5.45}, 45, 0.5), 15.0);  // meets the top first
   });
+}
+
+// Tops of the map, ends and middles, and a little beside.
+std::vector<Pose> poses_along_tops(const Map& map) {
+  std::vector<Pose> poses;
+  for (const Obstacle& obstacle : map.obstacles) {
+    for (const Segment& segment : obstacle.segments) {
+      if (segment.height_m > 0.0) continue;
+      for (const double t : {-1.5, -0.25, 0.0, 0.5, 1.0, 1.2}) {
+        for (const double beside_m : {0.0, 1e-4, -1e-4, 0.3, -0.3}) {
+          const Point p = segment.a + t * (segment.b - segment.a);
+          for (int turn = 0; turn < 8; ++turn) {
+            poses.push_back({p.x, p.y + beside_m, Angle::from_degrees(45.0 * turn + 0.7)});
+          }
+        }
+      }
+    }
+  }
+  return poses;
+}
+
+// Of scans, the share of ranges that are not those of brute force.
+double share_of_others(const ScanEngine& engine, const Map& map, const std::vector<Pose>& poses,
+                       const LaserModel& laser) {
+  std::vector<double> ranges(poses.size() * laser.rays), exact(ranges.size());
+  engine.cast_all(poses, laser, ranges);
+  BruteForceRayCaster(map).cast_all(poses, laser, exact);
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    others += std::abs(ranges[i] - exact[i]) > kClose ? 1 : 0;
+  }
+  return static_cast<double>(others) / static_cast<double>(ranges.size());
+}
+
+TEST(ScanEngineRules, StairsAloneAndTogetherAreThoseOfBruteForceOnTheLinesOfTheirTopsToo) {
+  const Obstacle lower = test::stairs(1, 4, 6, 5, 5);
+  const Obstacle upper = test::stairs_top_down(2, 2, 3, 4, 5);
+  for (const Map& map : {test::map10({lower}), test::map10({lower, upper}),
+                         test::map10({lower, test::wall(3, {{0, 3}, {10, 3}})})}) {
+    const std::vector<Pose> poses = poses_along_tops(map);
+    ASSERT_FALSE(poses.empty());
+    on_each_instruction_set(map, [&](const ScanEngine& engine) {
+      for (const double fov_deg : {180.0, 360.0}) {
+        const LaserModel laser{131, fov_deg, 15.0, 0.5};
+        EXPECT_LT(share_of_others(engine, map, poses, laser), 1e-3);  // rays along a top
+        for (const Pose& pose : poses) {
+          EXPECT_LT(share_of_others(engine, map, {pose}, laser), 0.02);
+        }
+      }
+    });
+  }
 }
 
 TEST(ScanEngineRules, ARampStopsRaysWhereItRisesToTheLaser) {
